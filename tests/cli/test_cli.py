@@ -327,6 +327,8 @@ BLACK = (
     ("A 1 9,9,9\nsp 90,0,-1 2 9,9,9\npl 0,0,0 0,1,0 9,9,9",
      "no ray met anything: of 2 objects 1 is beside the view, 1 is edge-on, in a plane with the "
      "camera"),
+    *((f"A 1 9,9,9\nsp {place} 0.1 9,9,9", "no ray met anything: of 1 object 1 is beside the view")
+      for place in ("-1,0,-1", "0,0.6,-1", "0,-0.6,-1", "0.9,0.6,-1")),
     ("A 1 9,9,9\nsp 0.003,0.003,-99 0.0000001 9,9,9",
      "no ray met anything: of 1 object 1 is in front, but too small or thin for any ray"),
     ("A 1 9,9,9\nsp 0,0,-9 2 0,0,0",

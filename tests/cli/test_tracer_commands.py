@@ -372,7 +372,11 @@ class Checks(Commands):
     def test_totals(self):
         truth = self.certified(*SIZE)
         off = truth.field("misses") - 575  # a row less than the sky's
+        fewer = dict(truth.field("rays"))
+        fewer["pixel"] -= 1
+        fewer["shadow"] += 1
         for claims in (truth.with_field("rays", truth.more("rays", "shadow", 1)),
+                       truth.with_field("rays", fewer),
                        truth.with_field("misses", 0),
                        truth.with_field("covered", truth.field("origins") + 1),
                        truth.with_field("without-origin", 2 * sum(truth.field("hits").values())),
@@ -709,9 +713,19 @@ class Explain(Commands):
         features = dict(re.fullmatch(r"(\w+(?: \w+)?)  +(.*)", line).groups()
                         for line in lines[:len(self.NAMES)])
         self.assertEqual(list(features), self.NAMES)
-        counts = [re.fullmatch(r"  (\w[\w -]*\w) +(\d+)( +[\d.]+ %)?", line)
-                  for line in lines[len(self.NAMES):]]
-        return features, {found[1]: int(found[2]) for found in counts if found}
+        all_of = 1
+        counts = {}
+        for line in lines[len(self.NAMES):]:
+            head = re.fullmatch(r"(rays|hits decided by the stage) +(\d+)", line)
+            found = re.fullmatch(r"  (\w[\w -]*\w) +(\d+)(?: +([\d.]+) %)?", line)
+            all_of = int(head[2]) if head else all_of
+            if found:
+                counts[found[1]] = int(found[2])
+                share = found[3] and f"{100 * int(found[2]) / all_of:.4f}"
+                self.assertEqual(found[3], share, line)
+        bytes_of = [int(number) for number in re.findall(r"\d+", features["memory"])]
+        self.assertEqual(bytes_of[0], sum(bytes_of[1:]))
+        return features, counts
 
     def test_nothing_is_asked_for(self):
         features, counts = self.explained(self.HEAD)

@@ -381,6 +381,22 @@ TEST(test_tally)
     ck_double_same(sum.t_ulps.median, 0);
 }
 
+/* None, and up to 1, 2, 4, ... ulps. */
+TEST(test_classes_of_errors)
+{
+    static tally all;
+    static const int classes[] = {0, 1, 2, 3, 3, 4, 4, 4, 4, 5};
+    const sure_case asked = {.ray.t_max = INFINITY};
+    const case_answer hit = {.status = SURE_HIT, .t = 8};
+    for (int ulps = 0; ulps < 10; ulps++) {
+        reply given = reply_read("hit 8");
+        given.t += ulps * 0x1p-49;
+        tally_clear(&all, PRECISION_DOUBLE);
+        count(&all, &asked, &hit, &given, NULL);
+        ck_assert_uint_eq(tally_verdict(&all).t_classes[classes[ulps]], 1);
+    }
+}
+
 /* An error of 1 at t = 8, at speed 2, is a length of 2, and 19 from the eye a pixel covers 9.5. */
 TEST(test_lengths)
 {

@@ -585,6 +585,30 @@ class Verdicts(InFolder):
             self.assertEqual(self.rows(["--answers", "answers"], line), by_tier)
             self.assertEqual(sum(row["wrong"] for row in by_tier) == 0, name == "exact")
 
+    def test_the_table_says_what_the_json_says(self):
+        line = "--shape cone --regime rim --regime degenerate --count 300 --untimed"
+        said = self.succeed("judge", *tier("textbook"), *line.split(), "--json", "verdict.json")
+        for row in loaded("verdict.json")["rows"]:
+            self.assertEqual(row["valid"] < row["cases"], row["regime"] == "degenerate")
+            first, second = ([part.split() for part in line.split("|")] for line in
+                             said.splitlines() if line.startswith(f"cone      {row['regime']} "))
+            wrong, counts = 100 * row["wrong"] / row["valid"], row["faults"]
+            self.assertEqual(first[0][2:], [
+                f"{wrong:.2f}", f"{100 * row['wrong_from']:.3g}", "..",
+                f"{100 * row['wrong_to']:.3g}", str(counts["false hit"]),
+                str(counts["false miss"]), str(counts["wrong part"])])
+            self.assertNotEqual(counts["false hit"], counts["false miss"])
+            self.assertEqual([float(word) for word in first[1][:4]],
+                             [float(f"{row['t_ulps'][key]:.2e}")
+                              for key in ("median", "99", "99.99", "most")])
+            self.assertEqual(second[0][2:], [str(count) for count in
+                                             row["decisions"]["wrong"].values()])
+            self.assertEqual(second[1], [f"{100 * one['wrong'] / row['valid']:.3g}"
+                                         for one in row["margins"]["wrong"]])
+            self.assertEqual(second[2], [f"{row['margins']['most']:.2g}"])
+        self.assertTrue(any(one["wrong"] > 0 for one in row["margins"]["wrong"]) or
+                        row["regime"] == "degenerate")
+
     def test_deterministic_by_seed(self):
         line = "--shape sphere --count 200 --seed "
         first = self.rows(tier("float32"), line + "1")
@@ -1083,6 +1107,15 @@ class ForOthers(InFolder):
         self.assertEqual([(one.get("classname"), one.get("name")) for one in cases],
                          [(row["shape"], row["regime"]) for row in verdict["rows"]])
         self.assertEqual([one["ruleId"] for one in results], 3 * ["outputs-touched"])
+        self.assertEqual([one["message"]["text"].split(": ")[1].splitlines()[0]
+                          for one in results],
+                         [f"{row['faults']['outputs touched']} of {row['cases']} cases"
+                          for row in verdict["rows"]])
+        verdict, cases, _ = self.written(ONE, rows="--regime degenerate --shape cone")
+        (row,) = verdict["rows"]
+        self.assertLess(row["valid"], row["cases"])
+        self.assertEqual(cases[0].find("system-out").text,
+                         f"wrong {row['wrong']} of {row['valid']}")
         self.assertEqual(self.written(ONE)[2], [])
 
     def test_what_is_required(self):

@@ -55,6 +55,23 @@ static sure_case case_of(const char *line)
     return question;
 }
 
+/* Of a ball of radius 2, 5 away. */
+TEST(test_units)
+{
+    static const struct {
+        margin_unit unit;
+        precision in;
+        double length;
+    } rows[] = {{MARGIN_SIZE, PRECISION_DOUBLE, 2},
+                {MARGIN_DISTANCE, PRECISION_DOUBLE, 7},
+                {MARGIN_LENGTH, PRECISION_DOUBLE, 1},
+                {MARGIN_ULPS, PRECISION_DOUBLE, 0x1p-50},
+                {MARGIN_ULPS, PRECISION_FLOAT, 0x1p-21}};
+    const sure_case ball = case_of("sphere 0 0 0 1 0 0 0 inf 3 4 0 2");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        ck_double_same(margin_length(&ball, rows[i].unit, rows[i].in), rows[i].length);
+}
+
 static reply said(const known_margin *row)
 {
     reply given = {.status = row->which == FAULT_FALSE_MISS ? SURE_MISS : SURE_HIT};

@@ -665,6 +665,13 @@ class OnePage(Scenes):
                 self.assertTrue(attrs.get(name, "data:").startswith("data:"), (tag, name))
             self.assertFalse([name for name in attrs if name.startswith("on")], attrs)
 
+    def test_the_frame_is_where_it_differs(self):
+        (frame,) = {attrs["style"] for tag, attrs in self.page.found if tag == "i"
+                    and attrs["style"].startswith("left:93.7")} or {None}
+        width, height = 64, 48
+        self.assertEqual(frame, "left:%.3f%%;top:%.3f%%;width:%.3f%%;height:%.3f%%" % (
+            100 * 60 / width, 100 * 2 / height, 100 / width, 100 / height))
+
     def sections(self):
         """{scene: {caption: path of a file with its picture}}"""
         found = {}

@@ -43,7 +43,8 @@ static void execute(const char *command)
     bool direct = plain && copy && !word; /* it has no more words */
     if (direct && count > 0)
         execvp(words[0], words);
-    if (!direct || (count > 0 && errno == ENOENT)) /* the first may be the shell's own */
+    bool own = count > 0 && errno == ENOENT && !strchr(words[0], '/'); /* the shell's, maybe */
+    if (!direct || own)
         execl("/bin/sh", "sh", "-c", command, (char *)NULL);
 }
 
