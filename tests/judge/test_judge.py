@@ -260,14 +260,18 @@ class Faults(InFolder):
                 self.check_again(subject, one, wrong=wrong)
 
     def test_worst_normals(self):
-        """They are on the part that is right, made simple, too."""
-        seen = 0
+        """They are on the part that is right, made simple, too, and stay half as large at least."""
+        seen, of = 0, {"largest error of t": "t_ulps",
+                       "largest error of the normal": "normal_ulps"}
         for shape, seed in ("cylinder", 4), ("cylinder", 5), ("cone", 2), ("cone", 4):
             verdict = self.judge(tier("textbook"), f"--shape {shape} --count 300 --seed {seed}")
             for one in verdict["worst"]:
                 if one["kind"] == "largest error of the normal":
                     self.assertEqual(one["answer"].split()[2], one["right"].split()[2], one)
                     seen += 1
+                if one["kind"] in of:
+                    most = max(row[of[one["kind"]]]["most"] for row in verdict["rows"])
+                    self.assertGreaterEqual(one["ulps"], most / 2, one)
         self.assertEqual(seen, 4)
 
     def test_worst_cases_of_who_hangs_now_and_then(self):

@@ -397,6 +397,17 @@ TEST(test_no_size)
     ck_assert(entry_case(&all, &plane, PRECISION_DOUBLE, &made));
 }
 
+/* Half of the size off a ball, however far the origin. */
+TEST(test_apart)
+{
+    entry all;
+    sure_case made, off = case_of("sphere 100 1.75 0 1 0 0 0 inf 100 0 0 1"),
+                    near = case_of("sphere 100 1.375 0 1 0 0 0 inf 100 0 0 1");
+    ck_assert_ptr_null(entry_read("apart=0.5", &all));
+    ck_assert(entry_case(&all, &off, PRECISION_DOUBLE, &made));
+    ck_assert(!entry_case(&all, &near, PRECISION_DOUBLE, &made));
+}
+
 /* A wrong decision that a convention explains is allowed, and counted; another one is not. */
 TEST(test_conventions)
 {
