@@ -26,7 +26,8 @@ static int check_outputs(void)
     const cli_paths both = {outputs, NULL, 2, 0};
     if (!output && !share)
         return cli_wrong("missing '-o FILE'");
-    bool named = (!output || picture_path_ok(output, stderr)) && cli_other_name(share, "share");
+    bool named =
+        (!output || picture_path_ok(output, stderr)) && picture_is_other(share, "share", stderr);
     int status = named ? cli_paths_check(&drawn) : EXIT_USAGE;
     return status == 0 ? cli_paths_check(&both) : status;
 }

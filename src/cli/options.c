@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
-#include "../image/picture.h"
 #include "../support/atomic_file.h"
-#include "../support/complain.h"
 #include "../support/folder.h"
 #include "../support/pieces/cut.h"
 #include "../support/printable.h"
@@ -73,14 +71,6 @@ static bool is_of_pieces(const char *path)
         return is_same_place(path, cut.manifest);
     return cut.way == CUT_MERGE &&
            is_taken(path, (const char *const *)cut.results->names, cut.results->count);
-}
-
-bool cli_other_name(const char *path, const char *what)
-{
-    if (path && strcmp(path, "-") == 0)
-        return complain(stderr, path, "a %s is written to a file that has a name", what);
-    return !path || !picture_has_name(path) ||
-           complain(stderr, path, "a %s may not have a picture's name", what);
 }
 
 int cli_paths_check(const cli_paths *all)

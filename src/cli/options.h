@@ -77,10 +77,6 @@ typedef struct {
 } cli_paths;
 int cli_paths_check(const cli_paths *all);
 
-/* May what is no picture, but `what`, be written there? Pictures' names have endings of their own.
- * NULL: it is not written. */
-bool cli_other_name(const char *path, const char *what);
-
 /* Readers. What `to` points to is said behind each. */
 cli_reader cli_flag;          /* bool: true */
 cli_reader cli_text;          /* const char * */

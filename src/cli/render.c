@@ -42,8 +42,8 @@ static int check_outputs(void)
     outputs[count] = asked.certificate;
     outputs[count + 1] = asked.share;
     const cli_paths all = {outputs, inputs, count + 2, goes_on() ? 1 : 2};
-    bool named =
-        cli_other_name(asked.certificate, "certificate") && cli_other_name(asked.share, "share");
+    bool named = picture_is_other(asked.certificate, "certificate", stderr) &&
+                 picture_is_other(asked.share, "share", stderr);
     return named ? cli_paths_check(&all) : EXIT_USAGE;
 }
 

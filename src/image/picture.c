@@ -73,6 +73,14 @@ bool picture_path_ok(const char *path, FILE *messages)
            complain(messages, path, "unknown kind of picture; expected a name in .ppm or .png");
 }
 
+bool picture_is_other(const char *path, const char *what, FILE *messages)
+{
+    if (path && strcmp(path, "-") == 0)
+        return complain(messages, path, "a %s is written to a file that has a name", what);
+    return !path || !picture_has_name(path) ||
+           complain(messages, path, "a %s may not have a picture's name", what);
+}
+
 bool picture_write(const picture *image, const char *path, FILE *messages)
 {
     atomic_file file;

@@ -46,6 +46,9 @@ bool picture_is_stdout(const char *path);
 bool picture_has_name(const char *path);
 bool picture_path_ok(const char *path, FILE *messages);
 
+/* May what is no picture, but `what`, be written there? NULL: it is not written. Likewise. */
+bool picture_is_other(const char *path, const char *what, FILE *messages);
+
 /* Reads a P6 PPM of 255 levels, or a PNG of up to 8 bits a channel and without transparency: by
  * what the file holds, whatever its name. Values are taken as they stand, without gamma or profile.
  * On false one line was written to `messages`, and nothing is left allocated. */

@@ -11,7 +11,7 @@
 
 /* What every decision rests on: IEEE arithmetic as written. A compiler that was told otherwise is
  * refused here. */
-#if FLT_EVAL_METHOD != 0 || (defined(__i386__) && !defined(__SSE2_MATH__))
+#if (FLT_EVAL_METHOD & ~16) != 0 || (defined(__i386__) && !defined(__SSE2_MATH__))
 #error "surehit needs FLT_EVAL_METHOD 0: each operation rounded to its own type"
 #endif
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24
