@@ -194,7 +194,7 @@ int render_backward(const placed_scene *placed)
 /* From the lights: --integrator forward. */
 
 #define BOUNCES_DEFAULT 16
-#define FEW_PHOTONS 1000
+#define FEW_PHOTONS 1000 /* fewer may well light nothing that is seen */
 
 /* Light that does not fall off has no energy to be spread by further bounces. */
 static int resolve_bounces(const placed_scene *placed, int *bounces)
@@ -258,8 +258,8 @@ static int finish(const placed_scene *placed, const forward_sum *done, double st
         explain_features(asked.words, &placed->scene, &asked.settings.how);
     if (asked.time)
         print_times(placed, done, now - traced);
-    const bool few = asked.share || asked.forward.how.aperture > 0 ||
-                     done->sum.statistics.emitted < FEW_PHOTONS; /* black, as may be expected */
+    const bool few =
+        asked.share || asked.forward.how.aperture > 0 || done->sum.statistics.emitted < FEW_PHOTONS;
     if (black && !few && !done->interrupted)
         warn(stderr, asked.scene,
              "no point that photons lit is seen: an eye sees none in a mirror or through glass");

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* What every decision rests on: IEEE arithmetic as written. A compiler that was told otherwise is
- * refused here. */
+ * refused here. An FLT_EVAL_METHOD of 16 is about _Float16 alone. */
 #if (FLT_EVAL_METHOD & ~16) != 0 || (defined(__i386__) && !defined(__SSE2_MATH__))
 #error "surehit needs FLT_EVAL_METHOD 0: each operation rounded to its own type"
 #endif

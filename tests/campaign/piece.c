@@ -104,6 +104,8 @@ double piece_done(const plan *by, size_t number, const coverage *cases, const ch
     double done = part_of(by, number, cases, folder, ".json", messages);
     if (done < 0 || done == 1)
         return done;
+    if (done > 0)
+        complain(messages, folder, "piece %zu: its file has not all cases of it", number);
     return fmin(part_of(by, number, cases, folder, ".part", messages), nextafter(1, 0));
 }
 

@@ -227,6 +227,12 @@ class Refused(Pieces):
             self.assertEqual(os.listdir("strange"), [f"1{ending}"])
             self.assertEqual(contents(f"strange/1{ending}"), whole)
             os.unlink(f"strange/1{ending}")
+        head, first, *_ = lines_of("of_one/1.json")
+        os.makedirs("half", exist_ok=True)
+        put("half/1.json", sealed([head, first]))
+        said = self.ask(0, "work", "one", "1", "half").stderr
+        self.assertEqual(said, "half: error: piece 1: its file has not all cases of it\n")
+        self.assertEqual(contents("half/1.json"), whole)
         self.complain("of_one/1.json: error: may not take the place of a file that is read",
                       "merge", "of_one", "-o", "of_one/1.json")
         self.assertEqual(contents("of_one/1.json"), whole)

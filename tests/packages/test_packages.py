@@ -48,10 +48,14 @@ class Packages(Trial):
 
     def check_refused(self):
         """Builds whose sources would see each other's names, or whose operations run together."""
-        for option, words in (("--unity=on", "--unity=on: each source"),
-                              ("-Dc_args=-ffp-contract=fast", "-ffp-contract=fast: operations")):
+        for compiler, option, words in (
+                (self.compiler, "--unity=on", "--unity=on: each source"),
+                (self.compiler, "-Dc_args=-ffp-contract=fast", "-ffp-contract=fast: operations"),
+                ("clang", "-Dc_args=-ffp-model=precise", "-ffp-model=precise: operations"),
+                ("clang", "-Dc_args=-fno-honor-nans", "-fno-honor-nans: operations")):
             try:
-                self.run(*self.meson, "setup", "refused", self.root, "-Dtools=disabled", option)
+                self.run(*self.meson, "setup", "refused", self.root, "-Dtools=disabled", option,
+                         CC=compiler)
             except Fault as fault:
                 if words not in str(fault):
                     raise

@@ -512,6 +512,26 @@ TEST(a_lamp_in_a_surface)
     ck_double_same(sums[1], sums[0]);
 }
 
+/* Each cell of each lamp has a photon, however few are asked for and whoever finds the cells. */
+TEST(more_lamps_than_photons)
+{
+    enum { LAMPS = 300 };
+    sure_light lamps[LAMPS];
+    for (int i = 0; i < LAMPS; i++)
+        lamps[i] = (sure_light){{1 + i / 100.0, 2, 0.25}, {1, 1, 1}, 20};
+    const sure_scene scene = falling_off(mirror_and_floor, mirror_and_white, 2, lamps, LAMPS);
+    caustics_statistics by[2];
+    for (int i = 0; i < 2; i++) {
+        FREED_BY(photon_map_free) sure_photon_map map = {0};
+        const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1 + i},
+                                     .integrator = INTEGRATOR_MIXED,
+                                     .photons = 1};
+        by[i] = caustics_build(&scene, &how, &map);
+    }
+    ck_assert_uint_ge(by[0].traced, 2 * LAMPS);
+    ck_assert(by[0].traced == by[1].traced && by[0].landed == by[1].landed);
+}
+
 static caustics_statistics photons_of_size(sure_scene scene, int width, int height, uint64_t asked)
 {
     scene.width = width;

@@ -15,7 +15,7 @@ const char *fault_name(fault which)
     return names[which];
 }
 
-/* A hit, of which the answer tells more than that. */
+/* A true hit, asked for by a query that tells its t. */
 static bool is_telling(const case_answer *truth, const reply *given)
 {
     return truth->status == SURE_HIT && (given->to == QUERY_HIT || given->to == QUERY_INTERVAL);

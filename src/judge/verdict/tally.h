@@ -117,8 +117,8 @@ typedef struct {
     uint64_t cases;       /* asked and answered, or not answered */
     uint64_t valid;       /* of them */
     uint64_t hits;        /* of them */
-    uint64_t with_t;      /* of them: the query tells it */
-    uint64_t with_normal; /* likewise */
+    uint64_t with_t;      /* hits whose query tells t */
+    uint64_t with_normal; /* hits whose query tells the normal */
     uint64_t skipped;     /* not asked: outside of the entry conditions, or invalid in float */
     uint64_t unasked;     /* not asked: the candidate had crashed or hung too often */
     uint64_t faults[FAULTS];
