@@ -2,12 +2,16 @@
 """Pieces of any command: each is done once, whole or not at all, and only those of one plan add up.
 
     test_commands.py"""
+import argparse
 import itertools
 import json
 import os
 import pathlib
+import runpy
+import signal
 import sys
 import unittest
+from unittest import mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -17,9 +21,13 @@ sys.path.insert(0, str(HERE.parent / "support"))
 from commands import InFolder, contents, put  # noqa: E402
 from sealed import lines_of, sealed  # noqa: E402
 sys.path.insert(0, str(ROOT / "fuzz"))
+import coverage  # noqa: E402
+import engines  # noqa: E402
+import page  # noqa: E402
 from engines import sources_of  # noqa: E402
 
 COMPLAINTS, WRONG, MISSING = 1, 2, 3
+TAKE_PIECE = runpy.run_path(FUZZ)["take_piece"]
 
 
 class Commands(InFolder):
@@ -165,6 +173,143 @@ class Fuzzed(InFolder):
         put("other", json.dumps(piece) + "\n" + json.dumps({**piece, "engine": "afl"}) + "\n")
         self.refuse("other:2: case: is by another engine", "--add", "other", "--record")
         self.assertEqual(contents(ROOT / "fuzz" / "record.json"), record)
+
+
+class FuzzingKept(InFolder):
+    """What a run of the fuzzer leaves behind, in a folder in place of the tree."""
+    NAMES = "case", "libfuzzer", ""
+
+    def replace(self, room, **others):
+        for name, other in others.items():
+            patch = mock.patch.object(room, name, other)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def setUp(self):
+        super().setUp()
+        self.replace(engines, ROOT=pathlib.Path.cwd())
+        self.replace(page, RECORD=pathlib.Path("record.json"))
+
+    def add(self, sources, finds=(), piece=None, edges=8):
+        result = engines.Result("case")
+        result.executions, result.compared, result.seconds = 10, 9, 1.5
+        result.edges, result.finds = edges, list(finds)
+        page.add_run(*self.NAMES, sources, result, piece)
+        return page.read()["runs"]["case libfuzzer"]
+
+    def test_runs_add_up(self):
+        """Those of the same sources, until one finds something."""
+        self.add("old")
+        row = self.add("old", edges=3)
+        self.assertEqual([row[name] for name in ("executions", "compared", "seconds", "edges")],
+                         [20, 18, 3.0, 8])
+        self.assertEqual(page.compared_so_far(*self.NAMES, "old"), 18)
+        self.assertEqual(page.compared_so_far(*self.NAMES, "new"), 0)
+        self.assertEqual(self.add("new")["compared"], 9)
+        self.assertEqual(self.add("new", finds=["a law"])["finds"], 1)
+        self.assertEqual(page.compared_so_far(*self.NAMES, "new"), 0)
+        self.assertEqual(self.add("new")["compared"], 9)
+
+    def test_pieces_are_remembered(self):
+        for piece in ("one", "two", None):
+            self.add("old", piece=piece)
+        found = [page.has_run(*self.NAMES, "old", piece) for piece in ("one", "two", "three")]
+        self.assertEqual(found, [True, True, False])
+        self.assertFalse(page.has_run(*self.NAMES, "new", "one"))
+
+    def test_seeded_bugs_that_are_gone(self):
+        for name in ("here", "gone"):
+            bug = argparse.Namespace(name=name, stem="case", source="a.c", why="wrong")
+            page.add_seeded(bug, 1.234, "a law")
+        page.drop_seeded({"here", "new"})
+        self.assertEqual(list(page.read()["seeded"]), ["here"])
+        self.assertEqual(page.read()["seeded"]["here"]["seconds"], 1.23)
+
+    def test_shares_add_up(self):
+        for executions, pieces in itertools.product((4, 7, 100), (1, 3, 4)):
+            shares = [argparse.Namespace(piece=f"{i}/{pieces}", executions=executions, record=False)
+                      for i in range(1, pieces + 1)]
+            for share in shares:
+                TAKE_PIECE(None, share)
+            self.assertEqual(sum(share.executions for share in shares), executions)
+            self.assertEqual(len({share.number for share in shares}), pieces)
+
+    def test_what_is_found(self):
+        for log, found in (("INFO\nfind: case: a law\nline\nother\nmore", "find: case: a law\n"
+                            "line\nother"),
+                           ("x\nSUMMARY: AddressSanitizer: heap-use a.c:3", "AddressSanitizer: "
+                            "heap-use"),
+                           ("nothing", "ended with status 77")):
+            self.assertEqual(engines.find_in(log, 77), found)
+
+    def test_an_interruption_is_no_find(self):
+        processes = engines.Processes()
+        for interrupted, fine in ((False, [0]), (True, [0, engines.INTERRUPTED, -signal.SIGTERM,
+                                                        -signal.SIGINT])):
+            processes.interrupted = interrupted
+            for code in (0, 1, 77, engines.INTERRUPTED, -signal.SIGTERM, -signal.SIGINT,
+                         -signal.SIGSEGV):
+                process = argparse.Namespace(returncode=code)
+                self.assertEqual(processes.failed(process), code not in fine, (interrupted, code))
+
+    def test_what_is_kept_of_a_corpus(self):
+        """What was made by hand, and of what the engine leaves the smallest."""
+        file = pathlib.Path("fuzz/corpus/case.hex")
+        file.parent.mkdir(parents=True)
+        file.write_text("0123456789abcdef 05\nby_hand 0203\n")
+        left = {"a" * 40: b"\1\2\3", "b" * 40: b"\4", "c" * 40: b"\5\6"}
+
+        def merge(command):
+            for name, data in left.items():
+                (command[-2] / name).write_bytes(data)
+        self.replace(engines, quietly=merge, MOST_FILES=2)
+        build = argparse.Namespace(folder=pathlib.Path("build"), program=str)
+        engines.minimise(build, "case", pathlib.Path("corpus"))
+        self.assertEqual(engines.committed("case"),
+                         {"b" * 16: b"\4", "by_hand": b"\2\3", "c" * 16: b"\5\6"})
+        self.assertEqual(engines.corpus_size("case"), (3, 5))
+
+    def test_sources(self):
+        """Without comments, blanks, other shapes and bounds that are not used."""
+        cone, disc = "src/shapes/cone/cone.c", "src/shapes/disc/disc.c"
+        bounds, code = "include/surehit/bounds.h", "int a = SURE_USED; /* x */\n"
+        last, seen = None, []
+        for path, text, changes in ((disc, "int b;\n", True), (cone, code, True),
+                                    (bounds, "#define SURE_USED 1\n", True),
+                                    (cone, "int a =\n  SURE_USED; /* y\n */", False),
+                                    (disc, "int c;\n", False),
+                                    (bounds, "#define SURE_USED 1\n#define SURE_NOT 2\n", False),
+                                    (bounds, "#define SURE_USED 3\n", True),
+                                    (cone, "int d = SURE_USED;", True)):
+            pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
+            pathlib.Path(path).write_text(text)
+            pathlib.Path(bounds).parent.mkdir(parents=True, exist_ok=True)
+            pathlib.Path(bounds).touch()
+            now = sources_of("cone")
+            seen += [] if path == disc and last is None else [(now != last) == changes]
+            last = now
+        self.assertEqual(seen, [True] * 7)
+        self.assertNotEqual(sources_of("disc"), last)
+
+    def test_what_is_not_reached(self):
+        """A reason is one for so many lines and branches, neither more nor fewer."""
+        path, other = "src/numbers/a.c", "src/stages/b.c"
+        for name in (path, other):
+            pathlib.Path(name).parent.mkdir(parents=True)
+            pathlib.Path(name).write_text("first;\n  second;\n")
+        pathlib.Path("fuzz").mkdir()
+        pathlib.Path("fuzz/unreachable").write_text(f"{path} | 3 | second; | why\n"
+                                                    f"{other} | 1 | second; | so\n")
+        lines = {(path, 1): 4, (path, 2): 0, (other, 1): 0}
+        branches = {(path, 2, "f", 2, 0): 0, (path, 2, "f", 2, 1): 5,
+                    (other, 2, "g", 2, 0): 0, (other, 2, "g", 2, 1): 0}
+        self.assertEqual(coverage.judged(lines, branches), [
+            [path, 2, "second;", ""], [other, 1, "first;", ""], [other, 2, "second;", ""]])
+        pathlib.Path("fuzz/unreachable").write_text(f"{path} | 2 | second; | why\n")
+        self.assertEqual(coverage.judged(lines, branches)[0][3], "why")
+        rooms = coverage.summed(lines, branches)
+        self.assertEqual(list(rooms["src/numbers"].values()), [2, 1, 2, 1])
+        self.assertEqual(list(rooms["src/stages"].values()), [1, 1, 2, 2])
 
 
 if __name__ == "__main__":
