@@ -7,6 +7,7 @@
 Of arrays of any strides, in doubles and floats, broadcast in every way: each answer has the bits of
 the single call. Bad input is named, Python's lock is given back, and callables are judged."""
 import contextlib
+import functools
 import io
 import itertools
 import json
@@ -65,6 +66,11 @@ def one_by_one(shape, cases, tier):
     if len(said) != len(cases):
         raise AssertionError(f"{len(said)} answers to {len(cases)} cases")
     return answers.status, answers.part, answers.t, answers.normal
+
+
+def in_steps(shape, strides):
+    """An array of zeros, some of which may be one."""
+    return np.lib.stride_tricks.as_strided(np.zeros(6), shape, strides)
 
 
 def told(hits):
@@ -195,6 +201,8 @@ class Strides(unittest.TestCase):
     def test_nothing(self):
         none = surehit.hits("box", np.empty((0, 5, 8)), [0, 0, 0, 1, 1, 1])
         self.assertEqual([array.shape for array in none], [(0, 5)] * 5 + [(0, 5, 3)])
+        into = none._replace(t=in_steps((0, 5), (0, 0)))
+        self.assertIs(surehit.hits("box", np.empty((0, 5, 8)), [0, 0, 0, 1, 1, 1], out=into), into)
 
     def test_given_arrays(self):
         rays, objects = surehit.cases("cone", "rim", 50)
@@ -205,6 +213,8 @@ class Strides(unittest.TestCase):
         room = np.zeros(50, [("t", "f8"), ("normal", "f8", 3), ("status", "u1")])
         into = out._replace(t=room["t"], normal=room["normal"], status=room["status"])
         self.assertTrue(same(surehit.hits("cone", rays, objects, out=into), plain))
+        one = surehit.hits("cone", rays[:1], objects[:1])  # whose step is no distance
+        surehit.hits("cone", rays[:1], objects[:1], out=one._replace(t=in_steps((1,), (0,))))
         without = surehit.hits("cone", rays, objects, normals=False)
         self.assertIsNone(without.normal)
         self.assertTrue(same(without[:5], plain[:5]))
@@ -221,6 +231,8 @@ class Faults(unittest.TestCase):
         many = np.tile(INFINITE, (4, 1))
         bad = many.copy()
         bad[2, 4] = np.nan
+        worse = many.copy()
+        worse[[1, 3], 4] = np.nan
         out = hits("sphere", many, BALL)
         masked = np.ma.masked_array(many, mask=np.eye(4, 8, dtype=bool))
         for kind, words, call in [
@@ -254,6 +266,7 @@ class Faults(unittest.TestCase):
                 (ValueError, "^objects: .* no double",
                  lambda: hits("sphere", many, [0, 0, 2**53 + 1, 1])),
                 (ValueError, r"^rays\[2\]: invalid d;", lambda: hits("sphere", bad, BALL)),
+                (ValueError, r"^rays\[1\]: invalid d;", lambda: hits("sphere", worse, BALL)),
                 (ValueError, r"^rays\[1, 2\]: invalid d;",
                  lambda: hits("sphere", np.stack([many, bad]), BALL)),
                 (ValueError, r"^rays\[3\]: invalid d;",
@@ -265,9 +278,14 @@ class Faults(unittest.TestCase):
                  lambda: hits("sphere", [2**53 + 1, 0, 0.5, 0, 0, -1], BALL)),
                 (ValueError, "^rays: .* no double",
                  lambda: hits("sphere", [10**400, 0, 0, 0, 0, -1], BALL)),
+                (ValueError, "^rays: .* no double",
+                 lambda: hits("sphere", [np.int64(2**53 + 1), 0, 0.5, 0, 0, -1], BALL)),
                 (ValueError, "^out.t: several of its elements are one",
                  lambda: hits("sphere", many, BALL, out=hits("sphere", many, BALL)._replace(
-                     t=np.lib.stride_tricks.as_strided(np.zeros(1), (len(many),), (0,))))),
+                     t=in_steps((4,), (0,))))),
+                (ValueError, "^out.normal: several of its elements are one",
+                 lambda: hits("sphere", many, BALL,
+                              out=out._replace(normal=in_steps((4, 3), (8, 8))))),
                 (ValueError, r"^objects: invalid radius;",
                  lambda: hits("sphere", many, [0, 0, 0, np.inf])),
                 (ValueError, "^rays: invalid t_max;",
@@ -285,6 +303,8 @@ class Faults(unittest.TestCase):
                 (ValueError, "^regime 'apex': ", lambda: surehit.cases("sphere", "apex", 1)),
                 (ValueError, "^count: ", lambda: surehit.cases("sphere", "far", -1)),
                 (TypeError, "^seed: ", lambda: surehit.cases("sphere", "far", 1, 0.5)),
+                (ValueError, "^seed: ", lambda: surehit.cases("sphere", "far", 1, 2**63)),
+                (ValueError, "^first: ", lambda: surehit.cases("sphere", "far", 1, 0, 2**64)),
                 (TypeError, r"^count: .*array\(\[3\]\)",
                  lambda: surehit.cases("sphere", "far", np.array([3]))),
                 (TypeError, "^routine: ", lambda: surehit.judge("sphere")),
@@ -305,8 +325,10 @@ class Faults(unittest.TestCase):
                 with self.subTest(name, value=value):
                     self.check(ValueError, f"^{name}: ",
                                lambda: surehit.judge(print, **{name: value}))
-        locked = out._replace(t=np.broadcast_to(np.float64(0), (4,)))
-        self.check(ValueError, r"^out\.t: ", lambda: hits("sphere", many, BALL, out=locked))
+        locked = out._replace(t=np.zeros(4))
+        locked.t.flags.writeable = False
+        self.check(ValueError, r"^out\.t: .* writeable",
+                   lambda: hits("sphere", many, BALL, out=locked))
 
 
 class Lock(unittest.TestCase):
@@ -399,6 +421,38 @@ found = surehit.judge(lambda shape, *asked: surehit.hits(shape, *asked, invalid=
 sys.exit(7 if found.kept and sys.stdout is None and sys.stderr is None else 1)"""
 
 
+HANGING = """import os, pathlib, signal, surehit, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background ignores it
+def hangs(*asked):
+    pathlib.Path("new.pid").write_text(str(os.getppid()), encoding="ascii")
+    os.replace("new.pid", "judge.pid")
+    time.sleep(60)
+surehit.judge(hangs, shape="box", count=5, time_limit=60)"""
+# What is written once, into a stream that is written late.
+BUFFERED = """import surehit
+print("before")
+told = []
+def routine(shape, *asked):
+    if not told:
+        told.append(print("asked"))
+    return surehit.hits(shape, *asked, invalid="answer")
+found = surehit.judge(routine, shape="box", count=5)
+print("before" in found.table)"""
+FAILING = """import surehit
+def routine(shape, *asked):
+    if len(asked[0]) > 1:
+        print("many")
+        raise ArithmeticError
+    return surehit.hits(shape, *asked, invalid="answer")
+surehit.judge(routine, shape="box", count=5)"""
+
+
+def run_buffered(code):
+    variables = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+    return subprocess.run([sys.executable, "-c", code], text=True, env=variables,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
 class Judge(unittest.TestCase):
     def test_exact_is_right(self):
         verdict = surehit.judge(tier("exact"), count=20, regime=["rim", "typical", "tangent"],
@@ -465,6 +519,7 @@ class Judge(unittest.TestCase):
         ball = {"shape": "sphere", "regime": "typical", "count": 20}
         normals, imaginary = np.ones((20, 3)), np.ones(20) + 1j
         for words, said in [("t: .* complex", imaginary), ("part: .* complex", (1, 0j)),
+                            ("part 0.5: expected", (1, 0.5)),
                             ("normal: .* complex", (1, 0, normals[0] + 0j)),
                             ("t: .* masked", np.ma.masked_array(normals[:, 0], mask=True))]:
             def answers(shape, rays, objects, said=said):
@@ -477,6 +532,29 @@ class Judge(unittest.TestCase):
     def test_nothing_but_exceptions(self):
         with self.assertRaisesRegex(RuntimeError, "ZeroDivisionError"):
             surehit.judge(lambda *asked: 1 / 0, shape="disc", regime="far", count=20)
+
+    def test_the_first_exception(self):
+        calls = pathlib.Path("calls")
+        calls.write_text("", encoding="ascii")
+
+        def counts(*asked):
+            calls.write_text(calls.read_text(encoding="ascii") + "I", encoding="ascii")
+            raise ArithmeticError(f"call {calls.read_text(encoding='ascii')}")
+        with self.assertRaisesRegex(RuntimeError, "ArithmeticError: call I$"):
+            surehit.judge(counts, shape="disc", regime="far", count=20)
+
+    def test_an_interruption(self):
+        """Ends the judge, too, whose process the callable's comes from."""
+        pid = pathlib.Path("judge.pid")
+        pid.unlink(missing_ok=True)
+        user = subprocess.Popen([sys.executable, "-c", HANGING], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(user.kill)
+        while not pid.exists() and user.poll() is None:
+            time.sleep(0.01)
+        user.send_signal(signal.SIGINT)
+        self.assertIn("KeyboardInterrupt", user.communicate(timeout=30)[1])
+        with self.assertRaises(ProcessLookupError):
+            os.kill(int(pid.read_text(encoding="ascii")), 0)
 
     def test_a_hang_and_an_end(self):
         def hangs(shape, rays, objects):
@@ -500,6 +578,14 @@ class Judge(unittest.TestCase):
         self.assertIn("hit 3", said.getvalue())
         self.assertNotIn("hit 3\n", verdict.table)
 
+    def test_what_is_printed_late(self):
+        """By the caller once, and there alone; by the routine before an exception, too."""
+        done = run_buffered(BUFFERED)
+        self.assertEqual(done.stdout, "before\nFalse\n")
+        self.assertRegex(done.stderr, "(?m)^asked$")
+        self.assertNotIn("before", done.stderr)
+        self.assertRegex(run_buffered(FAILING).stderr, "(?m)^many$")
+
     def test_without_streams(self):
         """As Python has them whose files were closed before: `>&-`."""
         for one, other in itertools.product((None, io.StringIO()), repeat=2):
@@ -519,6 +605,14 @@ class Judge(unittest.TestCase):
         finally:
             signal.signal(signal.SIGCHLD, before)
         self.assertEqual(kept, [True, False])
+
+    def test_names_of_callables(self):
+        def odd(*asked):
+            return nearest(*asked)
+        odd.__name__ = "odd\ud800\0one"
+        for routine, name in (functools.partial(nearest), "partial"), (odd, "odd??one"):
+            found = surehit.judge(routine, shape="sphere", regime="typical", count=5)
+            self.assertIn(f"\nCandidate: {name}\n", found.table)
 
     def test_from_a_thread(self):
         found = []

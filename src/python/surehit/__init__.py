@@ -61,7 +61,7 @@ def _of_objects(name: str, objects: npt.NDArray[Any], array: npt.NDArray[Any]) -
     for number in objects.flat:
         if isinstance(number, (int, np.integer)):
             try:
-                same = float(number) == number
+                same = float(number) == int(number)  # numpy's would be rounded before
             except OverflowError:
                 same = False
             if not same:

@@ -102,9 +102,9 @@ def _asker(routine: Callable[..., Any], each: bool, trouble: Path) -> Callable[.
         except BaseException:
             if not trouble.exists():
                 trouble.write_text(traceback.format_exc(), encoding="utf-8")
-            os._exit(1)
-        finally:
             _flush()
+            os._exit(1)
+        _flush()
     return ask
 
 
