@@ -141,14 +141,24 @@ const values = line => line.split(' ').map(valueOf);
 test('lines are those of the native program', () => {
     for (const shape of shapes) {
         const lines = run(surehit, ['cases', '--shape', shape, '--count', '20']).toString();
-        const answers = run(surehit, ['answer'], { input: lines }).toString().trim().split('\n');
-        lines.trim().split('\n').forEach((line, i) => {
-            const { shape: of, ray, object } = judging.readCase(line);
-            assert.deepEqual(values(judging.caseLine(of, ray, object)), values(line));
-            assert.deepEqual(values(judging.answerLine(of, 'exact', ray, object)),
-                             values(answers[i]));
-        });
+        for (const tier of tiers) {
+            const answers = run(surehit, ['answer', '--tier', tier], { input: lines }).toString();
+            lines.trim().split('\n').forEach((line, i) => {
+                const { shape: of, ray, object } = judging.readCase(line);
+                assert.deepEqual(values(judging.caseLine(of, ray, object)), values(line));
+                assert.deepEqual(values(judging.answerLine(of, tier, ray, object)),
+                                 values(answers.split('\n')[i]));
+                assert.equal(occluded(of, tier, ray, object), answers.split('\n')[i].split(' ')[0]);
+            });
+        }
     }
+});
+
+test('cases of a regime go on where others end', () => {
+    const all = judging.cases('cone', 'rim', { count: 50, seed: 3 });
+    const later = judging.cases('cone', 'rim', { count: 20, seed: 3, first: 30 });
+    assert.deepEqual(later.rays, all.rays.slice(8 * 30));
+    assert.deepEqual(later.objects, all.objects.slice(7 * 30));
 });
 
 test('one ray: intervals, stages, what is missing', () => {
@@ -160,6 +170,11 @@ test('one ray: intervals, stages, what is missing', () => {
     assert.deepEqual(interval('sphere', 'exact', ray, sphere),
                      { status: 'hit', tEnter: 4, tLeave: 6,
                        enterPart: 'surface', leavePart: 'surface' });
+    const tube = { base: [0, 0, -5], top: [0, 4, -5], radius: 1 };
+    const slanted = { origin: [0, -1, -5], direction: [0.25, 1, 0] };
+    assert.deepEqual(interval('cylinder', 'exact', slanted, tube),
+                     { status: 'hit', tEnter: 1, tLeave: 4,
+                       enterPart: 'base', leavePart: 'wall' });
     assert.equal(stage('sphere', 'certain', ray, sphere), 'double');
     assert.deepEqual(hit('sphere', 'exact', ray, { ...sphere, radius: -1 }),
                      { status: 'invalid', field: 'radius' });
@@ -295,7 +310,20 @@ test('the judge tells what the native one does', () => {
         const json = JSON.parse(readFileSync(to, 'utf8'));
         assert.deepEqual(comparable(made.rows), comparable(json.rows));
         assert.deepEqual(made.conventions, json.conventions);
+        const known = json.worst.map(one => Object.fromEntries(
+            Object.entries(one).filter(([, value]) => value !== null)));
+        assert.deepEqual(comparable(made.worst), comparable(known));
         assert(made.rows.some(row => row.wrong > 0) && made.worst.length > 2);
+    }
+});
+
+test('a judge of floats asks with floats', () => {
+    for (const float of [false, true]) {
+        let floats = true;
+        judging.judge((ray, { centre }) => {
+            floats &&= [...ray.origin, ...ray.direction, ...centre].every(x => same(Math.fround(x), x));
+        }, { shapes: ['sphere'], regimes: ['typical'], count: 20, float });
+        assert.equal(floats, float);
     }
 });
 
