@@ -329,6 +329,8 @@ BLACK = (
      "camera"),
     *((f"A 1 9,9,9\nsp {place} 0.1 9,9,9", "no ray met anything: of 1 object 1 is beside the view")
       for place in ("-1,0,-1", "0,0.6,-1", "0,-0.6,-1", "0.9,0.6,-1")),
+    ("A 1 9,9,9\ncy 0,0,2 1,0,1 0.1 30 9,9,9",  # its box is about the eye
+     "no ray met anything: of 1 object 1 is beside the view"),
     ("A 1 9,9,9\nsp 0.003,0.003,-99 0.0000001 9,9,9",
      "no ray met anything: of 1 object 1 is in front, but too small or thin for any ray"),
     ("A 1 9,9,9\nsp 0,0,-9 2 0,0,0",

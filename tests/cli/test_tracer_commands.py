@@ -607,6 +607,11 @@ class Heat(Commands):
         self.assertEqual([row[:50] for row in rows_of("stage.ppm")[:20]],
                          [row[8:58] for row in rows[10:30]])
 
+    def ulps(self, claims, i):
+        """Of a pixel's error."""
+        t = claims.number(i, T)
+        return claims.number(i, ERROR) / (math.nextafter(t, math.inf) - t)
+
     def test_a_larger_error_is_lighter(self):
         scene = ROOT + "/tests/scenes/edge_on.rt"
         claims = self.certified("--size", "200x100", scene=scene)
@@ -617,10 +622,7 @@ class Heat(Commands):
             if claims.object_at(i) is None:
                 missed.add(color)
                 continue
-            t = float.fromhex(claims.word(i, T))
-            ulps = float.fromhex(claims.word(i, ERROR)) / (float.fromhex(ulp_up(hexadecimal(t))) -
-                                                           t)
-            pairs.append((ulps, 299 * color[0] + 587 * color[1] + 114 * color[2]))
+            pairs.append((self.ulps(claims, i), 299 * color[0] + 587 * color[1] + 114 * color[2]))
         pairs.sort()
         self.assertLess(10, pairs[-1][0] / pairs[0][0])
         lights = [light for _, light in pairs]
@@ -628,6 +630,21 @@ class Heat(Commands):
         for before, after in zip(lights, lights[1:]):
             self.assertLessEqual(before, after + 1000)  # a step of a level in each channel
         self.assertEqual(len(missed), 1)
+
+    def test_a_thousandth_at_either_end_is_not_in_the_key(self):
+        left_out = set()
+        for scene in ("edge_on.rt", "extreme/solids_1e9.rt", "extreme/coins.rt"):
+            scene = f"{ROOT}/tests/scenes/{scene}"
+            said = self.succeed("render", scene, "-o", "a.ppm", "--heat", "error", "--certificate",
+                                "a.cert", "--size", "200x100")
+            claims = Certificate.of("a.cert")
+            decades = sorted(math.floor(math.log10(self.ulps(claims, i)))
+                             for i in range(len(claims.pixels)) if claims.object_at(i) is not None)
+            thousandth = len(decades) // 1000
+            low, high = decades[thousandth], decades[-1 - thousandth]
+            self.assertIn(f" from 1e{low} (dark) to 1e{high + 1} (light)\n", said)
+            left_out |= {low - decades[0], decades[-1] - high}
+        self.assertEqual(left_out, {0, 1})
 
     def test_keys_of_scales(self):
         scale = r"from 1e(-?\d+) \(dark\) to 1e(-?\d+) \(light\)"
@@ -707,9 +724,9 @@ class Explain(Commands):
     def explained(self, text, *words):
         """The features, and the counts behind them."""
         put("a.rt", text)
-        said = self.run_program("render", "a.rt", "-o", "a.ppm", "--quiet", "--explain", *SIZE,
-                                *words).stdout
-        lines = said.splitlines()
+        said = self.run_program("render", "a.rt", "-o", "a.ppm", "--quiet", "--explain", "--time",
+                                *SIZE, *words).stdout
+        *lines, times = said.splitlines()
         features = dict(re.fullmatch(r"(\w+(?: \w+)?)  +(.*)", line).groups()
                         for line in lines[:len(self.NAMES)])
         self.assertEqual(list(features), self.NAMES)
@@ -724,6 +741,7 @@ class Explain(Commands):
                 share = found[3] and f"{100 * int(found[2]) / all_of:.4f}"
                 self.assertEqual(found[3], share, line)
         bytes_of = [int(number) for number in re.findall(r"\d+", features["memory"])]
+        self.assertEqual(bytes_of[1:], [json.loads(times)[key] for key in Times.KEYS[-3:]])
         self.assertEqual(bytes_of[0], sum(bytes_of[1:]))
         return features, counts
 
@@ -802,6 +820,14 @@ class Explain(Commands):
         self.assertTrue(boxes.endswith(", 2 boxes"), boxes)
         self.assertEqual(self.explained(more, "--no-hierarchy")[0]["hierarchy"],
                          "off: --no-hierarchy")
+
+    def test_photons_that_land(self):
+        text = self.HEAD + self.LAMP + self.FLOOR + "sp 0,0,0 2 255,255,255 refr:1.5\n"
+        features, _ = self.explained(text, "--falloff", "inverse-square", "--photons", "1000")
+        found = re.fullmatch(r"on: mirrors or glass light a surface; (\d+) photons towards them, "
+                             r"(\d+) landed, \d+\.\d\d s", features["forward pass"])
+        self.assertTrue(0 < int(found[2]) < int(found[1]) < 2000, features)
+        self.assertGreater(int(re.search(r"photons (\d+)", features["memory"])[1]), 0)
 
     def test_counts_are_those_of_the_certificate(self):
         names = (("misses", "met nothing"), ("covered", "covered"), ("acne", "acne"),
