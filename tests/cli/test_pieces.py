@@ -2,11 +2,12 @@
 """A picture, its photons and a judgement in pieces: what is merged is what one process makes, byte
 for byte, whatever becomes of the pieces on the way; and nothing else is merged.
 
-    test_pieces.py SUREHIT"""
+    test_pieces.py SUREHIT CANDIDATE"""
 import base64
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,6 +19,7 @@ from commands import (InFolder, OUTPUT_FAILED, PROGRAM, SCENE, WRONG_USAGE,  # n
                       contents, put)
 from sealed import lines_of, sealed  # noqa: E402
 
+CANDIDATE = os.path.abspath(sys.argv[2])
 MISSING = 3
 SMALL = ("render", "scene.rt", "--size", "170x190")  # 11 times 12 squares, cut at two edges
 LONG = ("render", "scene.rt", "--size", "640x640", "--samples", "16")
@@ -395,6 +397,25 @@ class Judgements(Pieces):
         os.makedirs("pieces")
         said = self.ask(OUTPUT_FAILED, "work", "manifest", "1", "pieces", "--limit", "1").stderr
         self.assertEqual(said, "pieces/1.part: error: no processor time is left\n")
+
+    def test_another_build_of_the_library(self):
+        """Of that name: neither works it off what was planned of the one before, nor is it added to
+        it."""
+        words = ("judge", "--candidate", "./mine.so", "--count", "40", "--shape", "sphere")
+        shutil.copy(CANDIDATE, "mine.so")
+        self.work_all(2, *words)
+        os.rename("pieces/2.json", "2.json")
+        self.succeed("merge", "pieces/1.json", "2.json")
+        with open("mine.so", "ab") as library:
+            library.write(b"another")
+        self.fail_with(WRONG_USAGE, "manifest: error: .* another inputs", "work", "manifest", "2",
+                       "pieces")
+        self.plan(2, *words, manifest="other")
+        self.work([2], manifest="other", folder="of_other")
+        self.refuse_merge("pieces/1.json: error: it has another inputs than here", "pieces/1.json",
+                          "of_other/2.json")
+        self.refuse_merge("2.json: error: it has another inputs than of_other/2.json",
+                          "of_other/2.json", "2.json")
 
     def test_what_is_refused(self):
         self.work_all(3, *self.WORDS)
