@@ -1170,10 +1170,12 @@ class ForOthers(InFolder):
     def test_no_case_is_no_pass(self):
         """Of floats nothing is left; where that is all there is, it is no verdict."""
         line = "--shape sphere --regime huge --count 9 --require decisions"
-        self.judge(FLOAT, line + " --regime typical --junit it.xml")
-        cases = xml.etree.ElementTree.parse("it.xml").getroot().iter("testcase")
-        self.assertEqual({case.get("name").split(":")[0]: [one.tag for one in case]
-                          for case in cases}, {"huge": ["skipped"], "typical": []})
+        self.judge(FLOAT, line + ",t<=2ulp --regime typical --junit it.xml")
+        (suite,) = xml.etree.ElementTree.parse("it.xml").getroot()
+        self.assertEqual([(case.get("name").split(":")[0], [one.tag for one in case])
+                          for case in suite.iter("testcase")],
+                         2 * [("typical", []), ("huge", ["skipped"])])
+        self.assertEqual((suite.get("tests"), suite.get("skipped")), ("4", "2"))
         far = "--shape sphere --regime on_surface --count 9 --entry line,apart=0.9"
         for subject, words in ((FLOAT, line), (tier("exact"), far)):
             result = self.ask(WRONG_USAGE, "judge", *subject, *words.split(), "--junit", "no.xml")
