@@ -226,6 +226,29 @@ SHAPE_TEST(the_naive_block_is_the_naive_peer)
     ck_assert(!bench_has(&short_plan, BENCH_NAIVE_BLOCK));
 }
 
+static void check_figure(int count, double median, double lower, double upper)
+{
+    double values[16];
+    for (int i = 0; i < count; i++)
+        values[i] = 5 * i % count; /* 0, 1, ... in some order */
+    const bench_figure found = bench_figure_of(values, count);
+    ck_assert_double_eq(found.median, median);
+    ck_assert_double_eq(found.lower, lower);
+    ck_assert_double_eq(found.upper, upper);
+}
+
+/* A quarter of the others is below the lower one, and as many above the upper one. */
+TEST(medians_and_quartiles)
+{
+    check_figure(1, 0, 0, 0);
+    check_figure(2, 0.5, 0, 1);
+    check_figure(3, 1, 0, 2);
+    check_figure(4, 1.5, 0, 3);
+    check_figure(9, 4, 2, 6);
+    check_figure(12, 5.5, 2, 9);
+    check_figure(13, 6, 3, 9);
+}
+
 /* A sum over two turns, weighed: some ten roundings of at most 2^-53 each. */
 #define FEW_ROUNDINGS 0x1p-48
 

@@ -186,6 +186,16 @@ static void find_quiet(contest *all)
 /* The figures. A turn's times are compared repeat by repeat and the median is taken turn by turn:
  * it forgets what interrupted a repeat, but no case that is slow every time. */
 
+bench_figure bench_figure_of(double *values, int count)
+{
+    sort_doubles(values, count);
+    return (bench_figure){
+        .median = (values[(count - 1) / 2] + values[count / 2]) / 2,
+        .lower = values[(count - 1) / 4],
+        .upper = values[count - 1 - (count - 1) / 4],
+    };
+}
+
 /* Of a subject's times, over another's where there is one (-1: none). */
 static bench_figure figure_of(const contest *all, int turn, int subject, int other)
 {
@@ -196,12 +206,7 @@ static bench_figure figure_of(const contest *all, int turn, int subject, int oth
         const double *times = samples[i].nanoseconds;
         room[i] = other < 0 ? times[subject] : times[subject] / times[other];
     }
-    sort_doubles(room, count);
-    return (bench_figure){
-        .median = (room[(count - 1) / 2] + room[count / 2]) / 2,
-        .lower = room[(count - 1) / 4],
-        .upper = room[count - 1 - (count - 1) / 4],
-    };
+    return bench_figure_of(room, count);
 }
 
 static void figure_add(bench_figure *sum, bench_figure more, double weight)

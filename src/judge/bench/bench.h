@@ -57,6 +57,9 @@ typedef struct {
     double median, lower, upper;
 } bench_figure;
 
+/* Of that many values, which are sorted then. */
+bench_figure bench_figure_of(double *values, int count);
+
 typedef struct {
     bool asked;
     bench_figure nanoseconds;   /* a ray */
