@@ -107,6 +107,17 @@ class Words(InFolder):
             self.refuse(f"'{words[-1]}' may not take the place of a file", "report", *words,
                         "--candidate", os.path.abspath("mine.so"))
 
+    @unittest.skipUnless(LIBRARY, "no candidate")
+    def test_times_are_of_all_rays(self):
+        """Of a routine that takes 10 microseconds a ray, asked in eight turns."""
+        env = {**os.environ, "SUREHIT_WRONG": "is slow"}
+        found = self.report("--count 6400 --shape sphere --regime camera", "--candidate", LIBRARY,
+                            env=env)
+        (row,) = found["candidates"][0]["rows"]
+        self.assertEqual(row["cases"], 32000)
+        self.assertGreaterEqual(row["nanoseconds"], 10000)
+        self.assertLess(row["nanoseconds"], 40000)
+
 
 class Content(MadeOnce, InFolder):
     def make(self):

@@ -3,7 +3,7 @@
  * SUREHIT_WRONG names, behind `always` or `rarely` where it is to be so often. Compiled one case at
  * a time, with -DMANY many at a time, with -DFLOAT in float, with -DPREPARED with objects that are
  * built; as a program with program.c. */
-#define _POSIX_C_SOURCE 200809L /* sleep */
+#define _POSIX_C_SOURCE 200809L /* sleep, clock_gettime */
 
 #include <math.h>
 #include <stdint.h>
@@ -13,6 +13,7 @@
 
 #include "wrong.h"
 #include "../../../src/geometry/coordinate.h"
+#include "../../../src/support/cpu_time.h"
 
 #ifndef VERSION
 #define VERSION SURE_CANDIDATE_VERSION
@@ -47,6 +48,14 @@ static int right(sure_shape shape, const real *numbers, const real *of, outputs 
 
 static void *volatile kept;
 static int *volatile nowhere;
+
+/* 10 microseconds, by the clock that it is timed by. */
+static void take_long(void)
+{
+    const double begun = cpu_time();
+    while (cpu_time() - begun < 10000)
+        continue;
+}
 
 /* What ends it or does not show in the answer. */
 static void misbehave(const real *ray)
@@ -126,6 +135,8 @@ static void remember(int status, outputs *to)
 static int answer(sure_shape shape, const real *ray, const real *object, outputs *to)
 {
     outputs mine = *to, untouched = *to;
+    if (is_wrong("is slow"))
+        take_long();
     if (is_now(ray, 8))
         misbehave(ray);
     if (is_wrong("leaks always"))
