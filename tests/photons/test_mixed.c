@@ -556,6 +556,19 @@ static caustics_statistics photons_of_size(sure_scene scene, int width, int heig
     return photons_for(&scene, INTEGRATOR_MIXED, asked);
 }
 
+/* Four or more numbers of pixels as in 80x45, times the square of `larger`: as many leave as where
+ * 400 n^(5/4) are asked for by the share that lands of the first. */
+static void check_as_many(const sure_scene *scene, const caustics_statistics *first, double larger)
+{
+    const double n = larger * larger, share = (double)first->landed / (double)first->traced;
+    const double more = 400 * n * sqrt(sqrt(n)) / fmax(share, 0.25);
+    const int width = (int)(80 * larger), height = (int)(45 * larger);
+    const caustics_statistics of = photons_of_size(*scene, width, height, 0);
+    const caustics_statistics expected = photons_of_size(*scene, width, height, (uint64_t)more);
+    ck_assert_uint_eq(of.traced, expected.traced);
+    ck_assert_uint_eq(of.landed, expected.landed);
+}
+
 /* The larger the picture and the fewer of the first land, the more leave; as many as are asked for
  * in any. Where none lands there are no others. Numbers are rounded to squares in each cell. */
 TEST(as_many_as_the_picture_asks_for)
@@ -576,6 +589,8 @@ TEST(as_many_as_the_picture_asks_for)
                       (double)of.traced);
         landed = of.landed;
     }
+    check_as_many(&scene, &small, 1.25);
+    check_as_many(&scene, &small, 2);
     double asked = (double)photons_of_size(scene, 16, 9, 100000).traced;
     ck_assert(asked > 66000 && asked < 150000);
     caustics_statistics none =
