@@ -60,9 +60,11 @@ static bool fits(rt_reader *r, const rt_field *fields)
     return all;
 }
 
+/* In letters of any case. */
 static bool has_word(const char *const *words, rt_word w)
 {
-    while (*words && !rt_is_word(w, *words))
+    size_t length = (size_t)(w.end - w.start);
+    while (*words && (strlen(*words) != length || strncasecmp(*words, w.start, length) != 0))
         words++;
     return *words;
 }

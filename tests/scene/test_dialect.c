@@ -257,4 +257,18 @@ TEST(dialect_and_other_options)
     outcome_free(&o);
 }
 
+/* A word in capitals has all the forms that it has in small letters. */
+TEST(forms_in_capitals)
+{
+    outcome small = read_by(HEAD "co 1,2,3 0,0,1 45 9,8,7\n", "42");
+    outcome capital = read_by(HEAD "CO 1,2,3 0,0,1 45 9,8,7\n", "42");
+    ck_assert_msg(small.good && capital.good, "%s", capital.messages);
+    char *expected = written_scene(&small.scene), *got = written_scene(&capital.scene);
+    ck_assert_str_eq(got, expected);
+    free(got);
+    free(expected);
+    outcome_free(&small);
+    outcome_free(&capital);
+}
+
 SUITE("dialect")
