@@ -475,6 +475,22 @@ class Judge(unittest.TestCase):
             for key in ("shape", "regime", "cases", "wrong", "faults", "t_ulps", "margins"):
                 self.assertEqual(one[key], other[key], (one["regime"], key))
 
+    def test_options_are_the_programs(self):
+        """Those that change what is asked, and how what is wrong is measured."""
+        for given in {"count": 40, "margin": "ulps"}, {"count": 40, "entry": "unit,outside"}, {
+                "count": 40, "margin": "none"}, {"case_set": "2026.1"}:
+            words = [word for name, value in given.items()
+                     for word in ("--" + name.removeprefix("case_"), str(value))]
+            subprocess.run([PROGRAM, "judge", "--tier", "textbook", "--shape", "cone", "--regime",
+                            "rim", *words, "--json", "given.json"], check=True,
+                           stdout=subprocess.DEVNULL)
+            theirs = json.loads(pathlib.Path("given.json").read_text(encoding="utf-8"))
+            ours = surehit.judge(tier("textbook"), shape="cone", regime="rim", **given).json
+            (one,), (other,) = theirs["rows"], ours["rows"]
+            self.assertGreater(one["wrong"], 0)
+            for key in ("cases", "unasked", "wrong", "margins"):
+                self.assertEqual(one.get(key), other.get(key), (given, key))
+
     def test_words_of_numpy(self):
         rows = surehit.judge(tier("exact"), shape=np.array(["sphere", "box"]),
                              regime=np.array(["typical"]), count=np.array(5), seed=np.uint64(3),
