@@ -17,7 +17,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import (FAULTY, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
                       WRONG_USAGE, InFolder, all_files, at_terminal, contents, limit_file_size,
-                      limit_memory, limit_stack, loaded, put, respect_permissions, rows)
+                      limit_memory, limit_stack, loaded, put, respect_permissions, rows, rows_of)
 from shapes import SHAPES  # noqa: E402
 
 # What each help names, and its most lines where somebody counts them.
@@ -327,6 +327,8 @@ BLACK = (
     ("A 1 9,9,9\nsp 90,0,-1 2 9,9,9\npl 0,0,0 0,1,0 9,9,9",
      "no ray met anything: of 2 objects 1 is beside the view, 1 is edge-on, in a plane with the "
      "camera"),
+    ("A 1 9,9,9\npl 0,0,9 0,0,1 9,9,9",
+     "no ray met anything: of 1 object 1 is behind the camera; --handedness mirrors a view .*"),
     *((f"A 1 9,9,9\nsp {place} 0.1 9,9,9", "no ray met anything: of 1 object 1 is beside the view")
       for place in ("-1,0,-1", "0,0.6,-1", "0,-0.6,-1", "0.9,0.6,-1")),
     ("A 1 9,9,9\ncy 0,0,2 1,0,1 0.1 30 9,9,9",  # its box is about the eye
@@ -337,11 +339,17 @@ BLACK = (
      "rays met objects, and all that they saw is black: so is every object's colour"),
     ("A 0 9,9,9\nsp 0,0,-9 2 9,9,9",
      "rays met objects, and all that they saw is black: there is no light"),
+    *((f"A 0 9,9,9\nL 0,9,0 {light}\nsp 0,0,-9 2 9,9,9",
+       "rays met objects, and all that they saw is black: there is no light")
+      for light in ("0 9,9,9", "1 0,0,0")),
     ("A 1 9,9,9\nsp 0,0,-9 2 9,9,9 refl:1",
      "rays met objects, .* is black: nothing but empty space is seen in mirrors and through glass"),
     ("A 0 9,9,9\nsp 0,0,-9 2 9,9,9 refr:1.5\nsp 0,0,-9 1 0,0,0",
      "rays met objects, .*: nothing but empty space and what is black is seen in mirrors .*"),
     ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9",
+     "rays met objects, .*: light is too faint there, or reaches none of it; of 1 object 0 are "
+     "black"),
+    ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9 refr:1.5 spec:0.5",  # it may show the lamp
      "rays met objects, .*: light is too faint there, or reaches none of it; of 1 object 0 are "
      "black"),
     ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9\nsp 5,0,-9 1 9,9,9 refl:1",
@@ -360,17 +368,36 @@ class Render(InFolder):
                 said = self.ask(0, "render", "black.rt", "-o", "a.ppm", "--size", "16x10", *more)
                 last = said.stderr.splitlines()[-1]
                 self.assertRegex(last, r"\Ablack\.rt: warning: " + why + r"\Z")
+        put("mirror.rt", "A 0 9,9,9\nC 0,0,0 0,0,-1 70\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9 refl:1\n")
+        for depth, why in ((0, "light is too faint there, .*"), (1, "nothing but empty space .*")):
+            said = self.ask(0, "render", "mirror.rt", "-o", "a.ppm", "--depth", str(depth))
+            self.assertRegex(said.stderr, r"\Amirror\.rt: warning: rays met .*: " + why + r"\n\Z")
         self.assertEqual(self.succeed("render", "scene.rt", "-o", "a.ppm", "--quiet"), "")
         put("glass.rt", "A 1 9,9,9\nC 0,0,0 0,0,-1 70\nL 0,0,0 1\nsp 0,0,-9 2 9,9,9 refr:1.5\n")
         said = self.ask(0, "render", "glass.rt", "-o", "a.ppm", "--size", "16x10", "--integrator",
                         "forward", "--photons", "5000")
         self.assertIn("glass.rt: warning: no point that photons lit is seen", said.stderr)
 
+    def test_what_may_well_be_black(self):
+        """A part of a picture, or of its photons; an opening that none of them entered."""
+        glass = "A 1 9,9,9\nC 0,0,0 0,0,-1 70\nL 0,0,0 1\nsp 0,0,-9 2 9,9,9 refr:1.5\n"
+        put("glass.rt", glass)
+        put("behind.rt", glass.replace("-9", "9"))
+        for line in ("behind.rt --tile 3,4,5x5",
+                     "glass.rt --integrator forward --photons 5000 --share a.share",
+                     "glass.rt --integrator forward --photons 5000 --aperture 1e-9"):
+            self.succeed("render", "-o", "a.ppm", "--size", "16x10", "--quiet", *line.split())
+            self.assertEqual(set(sum(rows_of("a.ppm"), [])), {(0, 0, 0)})
+
     def test_what_photons_change(self):
         for word, why in (("--photons", "no mirror, no glass"), ("--seed", "no mirror, no glass")):
             put("matte.rt", "A 1 9,9,9\nC 0,0,0 0,0,-1 70\nL 0,0,0 1\nsp 0,0,-9 2 9,9,9\n")
             said = self.ask(0, "render", "matte.rt", "-o", "a.ppm", "--size", "16x10", word, "3")
             self.assertEqual(said.stderr, f"matte.rt: warning: {word} changes nothing: {why}\n")
+        put("away.rt", "A 1 99,99,99\nC 0,2,8 0,0,-1 70\nL 0,9,0 1\npl 0,0,0 0,1,0 99,99,99\n"
+            "di 0,3,0 0,1,0 2 99,99,99 refl:1\n")
+        self.succeed("render", "away.rt", "-o", "a.ppm", "--size", "16x10", "--falloff",
+                     "inverse-square", "--photons", "30")  # which were sent
 
     def header(self, path):
         return contents(path)[:30].split(b"\n")[:3]

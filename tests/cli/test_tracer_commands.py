@@ -300,6 +300,22 @@ class Checks(Commands):
             self.certified("--size", "48x27", "--tier", "exact", scene=scene)
             self.assert_right(scene=scene)
 
+    def test_places_in_a_tile_are_those_of_the_picture(self):
+        truth = self.certified(*SIZE, "--tile", "10,15,40x20")
+        i = truth.first(CYLINDER)
+        said = self.check(WRONG, claims=truth.with_word(i, T, "inf")).stdout
+        self.assertTrue(said.startswith(f"pixel {10 + i % 40},{15 + i // 40}: certified object "),
+                        said)
+
+    def test_from_within_the_size_alone_counts(self):
+        """Of what the error may be: the eye is at the point that the object is told by."""
+        for lines in ("C 0,0,0 0,0,-1 60\nsp 0,0,0 2000 9,9,9\n",
+                      "C 0,0,0 1,1,1 60\nbo 0,0,0 1000,1000,1000 9,9,9\n"):
+            put("within.rt", "A 0.1 255,255,255\nL 5,5,5 0.9\n" + lines)
+            claims = self.certified(*SIZE, "--tier", "certain", scene="within.rt")
+            self.assertGreater(max(claims.number(i, ERROR) for i in range(len(claims.pixels))), 0)
+            self.assertEqual(self.assert_right(scene="within.rt"), f"a.cert: {ALL_RIGHT}\n")
+
     def test_options(self):
         self.certified(*SIZE)
         for words in (["--quick"], ["--threads", "1"], ["--threads=3"], ["--quick", "--threads=2"]):
@@ -578,6 +594,7 @@ class Heat(Commands):
     """With a scene whose rays take several stages."""
 
     SCENE = ROOT + "/tests/scenes/extreme/ground_low.rt"
+    RAMP = ((24, 20, 88), (96, 32, 140), (192, 52, 112), (240, 128, 56), (252, 236, 150))
 
     def key(self, kind, *words):
         """What is said below the first line, of what is drawn."""
@@ -645,6 +662,21 @@ class Heat(Commands):
             self.assertIn(f" from 1e{low} (dark) to 1e{high + 1} (light)\n", said)
             left_out |= {low - decades[0], decades[-1] - high}
         self.assertEqual(left_out, {0, 1})
+
+    def test_colours_are_those_of_the_key(self):
+        """By the logarithm, in four steps that are alike."""
+        said = self.succeed("render", ROOT + "/tests/scenes/edge_on.rt", "-o", "a.ppm", "--heat",
+                            "error", "--certificate", "a.cert", "--size", "200x100")
+        claims, rows, seen = Certificate.of("a.cert"), rows_of("a.ppm"), set()
+        low, high = map(int, re.search(r" from 1e(\S+) \(dark\) to 1e(\S+) ", said).groups())
+        for i in range(len(claims.pixels)):
+            if claims.object_at(i) is not None:
+                share = (math.log10(self.ulps(claims, i)) - low) / (high - low)
+                step = min(int(4 * min(share, 1)), 3)
+                seen.add(step)
+                for one, *ends in zip(rows[i // 200][i % 200], *self.RAMP[step:step + 2]):
+                    self.assertTrue(min(ends) <= one <= max(ends), (share, i))
+        self.assertEqual(seen, {0, 1, 2, 3})
 
     def test_keys_of_scales(self):
         scale = r"from 1e(-?\d+) \(dark\) to 1e(-?\d+) \(light\)"
