@@ -47,6 +47,18 @@ static void assert_reads(const char *path, const picture *image)
     ck_assert_mem_eq(back.rgb, image->rgb, 3 * (size_t)image->width * (size_t)image->height);
 }
 
+TEST(any_value_is_seen)
+{
+    FREED_BY(picture_free) picture image;
+    ck_assert(picture_new(5, 3, &image));
+    for (int i = 0; i < 3 * 5 * 3; i++) {
+        ck_assert(picture_is_black(&image));
+        image.rgb[i] = 1;
+        ck_assert(!picture_is_black(&image));
+        image.rgb[i] = 0;
+    }
+}
+
 TEST(a_new_picture_is_black)
 {
     FREED_BY(picture_free) picture image;

@@ -567,6 +567,8 @@ class FailedWrites(Scenes):
     def test_strangers_pictures_are_kept(self):
         """Whatever has no mark of --accept is not golden, and nobody's to remove."""
         self.render("a", "s/golden/holiday.png")
+        put("s/golden/photo.png", png_of(1, 1, 8, RGB, [b"rgb"],
+                                         chunk(b"tEXt", b"Source\0a camera")))
         lines = self.regress(DIFFERENT, "--accept")[0]
         self.assertTrue(lines[4].endswith("; removed"), lines)
         os.mkdir("s/golden/z.png")
@@ -577,7 +579,7 @@ class FailedWrites(Scenes):
             self.assertTrue(line.endswith("; kept, since --accept has not made it: remove it "
                                           "yourself"), lines)
         self.assertEqual(sorted(os.listdir("s/golden")), ["a.png", "b.png", "d.png", "e.png",
-                                                          "holiday.png", "z.png"])
+                                                          "holiday.png", "photo.png", "z.png"])
 
     def test_no_picture_takes_the_place_of_a_scene(self):
         for make, taken in ((os.symlink, "../a.rt"), (os.link, "s/a.rt")):
@@ -725,6 +727,9 @@ class OnePage(Scenes):
                       "golden picture; 1 stale golden picture.", self.text)
         self.assertRegex(self.text, r"<pre>s/f\.rt:6:1: error: ")
         self.assertIn("<pre>s/golden/g.png: error: neither", self.text)
+        self.assertIn(">Tier certain, 64x48 pixels. ", self.text)
+        self.regress(TROUBLE, "-o", "p.html", "--tier", "exact")
+        self.assertIn(">Tier exact, 64x48 pixels. ", contents("p.html").decode())
 
     def test_the_same_page_again(self):
         self.regress(TROUBLE, "-o", "again.html", "--threads", "1")
