@@ -143,6 +143,7 @@ static void look_closer(const judging_plan *plan, judging *by, findings *all)
     if (ask_conventions(by, all))
         findings_print_conventions(all);
     findings_print_breaches(all);
+    findings_print_skipped(all);
     fflush(stdout);
     all->worst_count = worst_find(by, all->rows, all->row_count, all->worst);
     findings_print_worst(plan, all);

@@ -736,6 +736,17 @@ class Verdicts(InFolder):
         self.assertGreater(unrounded["t_ulps"]["median"], 2**20)
         self.assertLess(rounded["t_ulps"]["median"], 2**10)
 
+    def test_what_is_not_asked_is_no_share(self):
+        """Nor a breach."""
+        line = "--shape sphere --regime typical --regime degenerate --count 20"
+        text = self.succeed("judge", *tier("textbook"), *line.split(), "--entry",
+                            "unit,scale=1..100")
+        shares = [row.split() for row in re.findall("(?m)^sphere +degenerate +(.*)", text)]
+        self.assertEqual([shares[0][:4], shares[1][:2], shares[1][-8:]],
+                         [["-", "0", "0", "0"], ["20", "0"], [*"------|-"]])
+        self.assertIn("\nBreaches of the contract: 0\n\nNot asked, since they are not in the entry "
+                      "or invalid as floats\n  sphere degenerate: 20\n\n", text)
+
     def test_tiers_in_floats(self):
         """certain and exact have functions of their own for floats: t is a float, rounded
         correctly."""

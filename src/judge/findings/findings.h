@@ -41,6 +41,7 @@ void findings_print_lengths(const findings *of);
 void findings_print_margins(const judging_plan *plan, const candidate *asked, const findings *of);
 void findings_print_conventions(const findings *of);
 void findings_print_breaches(const findings *of);
+void findings_print_skipped(const findings *of);
 void findings_print_worst(const judging_plan *plan, const findings *of);
 int findings_print_promises(const judging_plan *plan, findings *of);
 

@@ -51,14 +51,19 @@ void findings_print_head(const judging_plan *plan, const findings *of)
            "cert", plan->instructions ? " |  instr textb  cert" : "");
 }
 
+/* Of no case there is none. */
 static void print_share(const verdict *sum)
 {
     char interval[32];
-    double share = sum->valid > 0 ? 100 * (double)sum->wrong / (double)sum->valid : 0;
+    double share = 100 * (double)sum->wrong / (double)sum->valid;
+    if (sum->valid == 0) {
+        printf(" %7s %-17s", "-", "");
+        return;
+    }
     snprintf(interval, sizeof interval, "%.3g .. %.3g", 100 * sum->wrong_share.lower,
              100 * sum->wrong_share.upper);
     int digits = sum->wrong == 0 ? 0 : share < 1 ? 4 : 2;
-    printf(" %7.*f %-17s", digits, share, sum->valid > 0 ? interval : "");
+    printf(" %7.*f %-17s", digits, share, interval);
 }
 
 /* Whole where it is small and whole; `none` where there is nothing. */
@@ -159,7 +164,7 @@ static void print_breaches_of(const judging_row *row)
 {
     const verdict *sum = &row->sum;
     const char *before = ": ";
-    if (verdict_breaches(sum) + sum->faults[FAULT_REFUSED] + sum->skipped + sum->unasked == 0)
+    if (verdict_breaches(sum) + sum->faults[FAULT_REFUSED] + sum->unasked == 0)
         return;
     judging_words words;
     printf("  %s %s", judging_topic(row->asks, row->shape, words), judging_row_name(row->which));
@@ -169,9 +174,6 @@ static void print_breaches_of(const judging_row *row)
         printf("%s%s %" PRIu64, before, fault_name((fault)i), sum->faults[i]);
         before = ", ";
     }
-    if (sum->skipped > 0)
-        printf("%sskipped, without the entry or invalid as floats %" PRIu64, before, sum->skipped);
-    before = sum->skipped > 0 ? ", " : before;
     if (sum->unasked > 0)
         printf("%sgiven up, not asked %" PRIu64, before, sum->unasked);
     putchar('\n');
@@ -185,6 +187,21 @@ void findings_print_breaches(const findings *of)
     printf("\nBreaches of the contract: %" PRIu64 "\n", sum);
     for (int i = 0; i < of->row_count; i++)
         print_breaches_of(&of->rows[i]);
+}
+
+/* No fault of anybody. */
+void findings_print_skipped(const findings *of)
+{
+    const char *head = "\nNot asked, since they are not in the entry or invalid as floats\n";
+    for (int i = 0; i < of->row_count; i++) {
+        const judging_row *row = &of->rows[i];
+        judging_words words;
+        if (row->sum.skipped == 0)
+            continue;
+        printf("%s  %s %s: %" PRIu64 "\n", head, judging_topic(row->asks, row->shape, words),
+               judging_row_name(row->which), row->sum.skipped);
+        head = "";
+    }
 }
 
 /* How the candidate is named on a command line. */

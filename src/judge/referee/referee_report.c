@@ -4,7 +4,6 @@
 #include "../../support/json_file.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 
 const char *referee_unit_words(margin_unit unit)
@@ -45,6 +44,20 @@ static uint64_t sum_of(const uint64_t counts[EVENTS])
     return sum;
 }
 
+/* Of no case there is neither a share nor a largest. */
+static void print_beyond(const referee_row *row, const margins *told)
+{
+    const uint64_t valid = row->sum->valid;
+    for (int i = 0; i < told->count && valid > 0; i++)
+        printf(" %7.3g", 100 * (double)row->of->beyond[i] / (double)valid);
+    for (int i = 0; i < told->count && valid == 0; i++)
+        printf(" %7s", "-");
+    if (valid > 0)
+        printf(" | %6.2g", refereed_most(row->of));
+    else
+        printf(" | %6s", "-");
+}
+
 bool referee_print(const referee_row *row, const margins *told, const entry *by, bool has_head)
 {
     const refereed *of = row->of;
@@ -58,10 +71,8 @@ bool referee_print(const referee_row *row, const margins *told, const entry *by,
     for (int i = 0; i < EVENTS && told->count > 0; i++)
         printf(" %7" PRIu64, of->events[i]);
     fputs(told->count > 0 ? " |" : "", stdout);
-    for (int i = 0; i < told->count; i++)
-        printf(" %7.3g", 100 * (double)of->beyond[i] / fmax((double)row->sum->valid, 1));
     if (told->count > 0)
-        printf(" | %6.2g", refereed_most(of));
+        print_beyond(row, told);
     putchar('\n');
     return true;
 }
