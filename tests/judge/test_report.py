@@ -11,9 +11,11 @@ there. The second form makes docs/report.png."""
 import base64
 import decimal
 import json
+import math
 import os
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 import unittest
@@ -108,6 +110,14 @@ class Words(InFolder):
                         "--candidate", os.path.abspath("mine.so"))
 
     @unittest.skipUnless(LIBRARY, "no candidate")
+    def test_who_computes_in_float(self):
+        in_float = os.path.join(os.path.dirname(LIBRARY), "float.so")
+        found = self.report("--count 5 --shape plane --regime typical --tier float32 --tier stable",
+                            "--candidate", LIBRARY, "--candidate", in_float)
+        self.assertEqual({name: who["in_float"] for name, who in candidates(found).items()},
+                         {"float32": True, "stable": False, "one": False, "float": True})
+
+    @unittest.skipUnless(LIBRARY, "no candidate")
     def test_times_are_of_all_rays(self):
         """Of a routine that takes 10 microseconds a ray, asked in eight turns."""
         env = {**os.environ, "SUREHIT_WRONG": "is slow"}
@@ -129,6 +139,9 @@ class Content(MadeOnce, InFolder):
     def setUp(self):
         super().setUp()
         self.found, self.who, self.page = self.made
+
+    def test_what_was_asked_for(self):
+        self.assertEqual((self.found["count"], self.found["seed"]), (COUNT, "3"))
 
     def test_the_page_holds_the_document(self):
         (text,) = re.findall(r"<script type=\"application/json\" id=report>(.*?)</script>",
@@ -358,14 +371,50 @@ POINTS = """[...document.querySelectorAll('#%s .plane')].map(
     return [name, time, wrong, r.left + r.width / 2, r.top + r.height / 2];
 }))"""
 UNITS = {"ns": 1, "µs": 1e3, "ms": 1e6}
+CELLS = """[...document.querySelectorAll('[aria-label="%s"] tbody tr')].map(
+    r => [...r.cells].map(c => c.textContent))"""
+CAPTIONS = "[...document.querySelectorAll('#pictures figcaption')].map(c => c.textContent)"
+# Of the histogram's rows how many bars there are upwards and downwards.
+BARS = """[...document.querySelectorAll('#%s .histogram .camera, #%s .histogram .hard')].map(
+    e => (e.getAttribute('d').match(/M/g) || []).length)"""
+
+
+def rounded(number, places):
+    """As JavaScript does."""
+    return str(decimal.Decimal(number).quantize(decimal.Decimal(1).scaleb(-places),
+                                                decimal.ROUND_HALF_UP))
 
 
 def percent(share):
-    """Rounded as JavaScript does."""
-    of100 = decimal.Decimal(100 * share)
-    places = "0.01" if of100 < 0.995 else "0.1" if of100 < 9.95 else "1"
+    of100 = 100 * share
     return ("0" if share == 0 else "<0.01" if of100 < 0.005 else
-            str(of100.quantize(decimal.Decimal(places), decimal.ROUND_HALF_UP)))
+            rounded(of100, 2 if of100 < 0.995 else 1 if of100 < 9.95 else 0))
+
+
+def per_million(rows):
+    """The mean of the rows' shares."""
+    valid, wrong = (sum(row[key] for row in rows) for key in ("valid", "wrong"))
+    share = 0
+    for row in rows: # one after the other, as JavaScript does
+        share += row["wrong"] / row["valid"] if row["valid"] else 0
+    share = share / len(rows) * 1e6
+    return (f"none in {valid:,}" if wrong == 0 else rounded(share, 1) if share < 9.95 else
+            f"{int(rounded(share, 0)):,}")
+
+
+def time_of(nanoseconds, who):
+    if not nanoseconds:
+        return "–"
+    unit = "ns" if nanoseconds < 999.5 else "µs" if nanoseconds < 999.5e3 else "ms"
+    number = nanoseconds / UNITS[unit]
+    return (f"{rounded(number, 1 if number < 10 else 0)} {unit}" +
+            ("ⁿ" if who["with_normals"] else ""))
+
+
+def ulps_of(number):
+    power = number and number >= 10000 and round(math.log10(number))
+    return ("∞" if number is None else rounded(number, 0) if not power else
+            "10" + str(power).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")))
 
 
 @unittest.skipUnless(browser.CHROMIUM, "Chromium is not installed")
@@ -373,8 +422,9 @@ class InBrowser(InFolder):
     def test_what_it_says(self):
         found = self.report(f"--count {COUNT}")
         who = candidates(found)
-        glance, trade, drawn, *shown = browser.values(
-            "report.html", WIDTHS[-1], "light", GLANCE, TRADE, IS_DRAWN, *(
+        glance, trade, drawn, captions, asked, *shown = browser.values(
+            "report.html", WIDTHS[-1], "light", GLANCE, TRADE, IS_DRAWN, CAPTIONS,
+            CELLS % "Who was asked", *(
                 expression % shape for shape in SHAPES for expression in (MAP, LENGTHS, POINTS)))
         self.assertGreater(drawn, 0)
         self.assertEqual(list(glance), list(who))
@@ -383,6 +433,11 @@ class InBrowser(InFolder):
                              2 * [not any(row["shape"] == shape for row in who[name]["rows"])
                                   for shape in SHAPES])
         self.check_trade(trade, who)
+        self.assertEqual(captions, [f"{tier} {self.caption(scene, tier)}"
+                                    for scene in found["pictures"] for tier in TIERS])
+        self.assertEqual([(name, cases) for name, _, _, _, cases, _ in asked],
+                         [(name, f"{sum(row['cases'] for row in one['rows']):,}")
+                          for name, one in who.items()])
         for shape, cells, lengths, planes in zip(SHAPES, shown[::3], shown[1::3], shown[2::3]):
             self.assertGreater(len(cells), 100)
             for regime, name, text, kind in cells:
@@ -393,6 +448,49 @@ class InBrowser(InFolder):
             for points in planes:
                 self.assertGreaterEqual(len(points), len(TIERS))
                 self.check_points(points)
+        self.check_figures(found, who, SHAPES)
+
+    def caption(self, scene, tier):
+        right, drawn = (base64.b64decode(scene["tiers"][name]) for name in ("exact", tier))
+        pixels = len(right) // 3
+        wrong = sum(right[i:i + 3] != drawn[i:i + 3] for i in range(0, len(right), 3))
+        return ("the right picture" if tier == "exact" else "every pixel as exact" if not wrong else
+                rounded(100 * wrong / pixels, 1 if 10 * wrong < pixels else 0) +
+                " % of the pixels wrong")
+
+    def check_figures(self, found, who, shapes):
+        """Of each shape those of its table, the blocks' times, and how many bars there are."""
+        blocks, *shown = browser.values(
+            "report.html", WIDTHS[-1], "light", CELLS % "Nanoseconds a ray by the rays of a call",
+            *(one for shape in shapes for one in (CELLS % f"In figures: {shape}",
+                                                  BARS % (shape, shape))))
+        for cells, one in zip(blocks, found["blocks"], strict=True):
+            calls = one["calls"]
+            times = [one["naive"], one["certain"], *(call["certain"] for call in calls),
+                     calls[-1]["naive_block"]]
+            self.assertEqual(cells, [one["shape"], *(rounded(time, 1) for time in times)])
+        for shape, figures, bars in zip(shapes, shown[::2], shown[1::2], strict=True):
+            expected = []
+            for name, *cells in figures:
+                parts = self.parts(who[name], shape)
+                self.assertEqual(cells, self.figures(who[name], *parts), (shape, name))
+                expected += [sum(any(of) for of in zip(*(row["t_ulps"]["by_powers_of_two"]
+                                                         for row in rows))) for rows in parts]
+            self.assertEqual(bars, expected, shape)
+
+    def parts(self, who, shape):
+        """Rows of pictures, and the hard ones."""
+        rows = [row for row in who["rows"] if row["shape"] == shape]
+        return ([row for row in rows if row["regime"] == "camera"],
+                [row for row in rows if row["regime"] not in ("camera", "typical")])
+
+    def figures(self, who, camera, hard):
+        times = [row["nanoseconds"] for row in hard if row["nanoseconds"]] or [0]
+        of_pictures = ([per_million(camera), time_of(camera[0]["nanoseconds"], who)] if camera else
+                       ["–", "–"])
+        return [*of_pictures, per_million(hard), time_of(statistics.median(times), who),
+                time_of(max(times), who),
+                f"{sum(row['breaches'] for row in camera + hard):,}"]
 
     def test_commands(self):
         """What the page says to run again runs, and judges the cell that it names."""
@@ -429,6 +527,10 @@ class InBrowser(InFolder):
                 percent(sum(one["wrong"][i]["wrong"] for one in of) / valid) for i in range(6)])
             self.assertAlmostEqual(float(most), max([0] + [one["most"] for one in of]),
                                    delta=0.06 * float(most))
+        self.check_figures(found, candidates(found), ["sphere"])
+        for row in candidates(found)[name]["rows"]:  # who crashes has no times
+            self.assertGreater(row["breaches"], 0)
+            self.assertIsNone(row["nanoseconds"])
         kinds = [one["kind"] for who in found["candidates"] for one in who["worst"]]
         self.assertIn("crash", kinds)
         self.assertEqual([row[0] for rows, _ in cases for row in rows], kinds)
@@ -471,6 +573,9 @@ class InBrowser(InFolder):
         (row,) = [row for row in who["rows"] if row["shape"] == shape and row["regime"] == "camera"]
         sizes = [row[of][which] for of in ("t_pixels", "t_extents")
                  for which in ("median", "99", "most")]
+        t = row["t_ulps"]
+        self.assertEqual(cells[:4], [*(ulps_of(t[which]) for which in ("median", "99", "most")),
+                                     percent(t["correctly_rounded"] / t["hits"])])
         self.assertEqual([float(cell.replace("∞", "inf")) for cell in cells[4:]],
                          [float("inf" if size is None else f"{size:.1e}") for size in sizes])
 
