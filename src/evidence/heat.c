@@ -127,6 +127,8 @@ void heat_print_key(FILE *out, heat_kind kind, const pixel_record *records, size
         fputs(", pixels\n", out);
         for (int stage = 0; stage < SURE_STAGES; stage++)
             print_entry(out, stages[stage], sure_stage_name((sure_stage)stage), counts[stage]);
+    } else if (kind == HEAT_ERROR && hits == 0) {
+        fputs(": no ray met anything\n", out);
     } else {
         const decades range = range_of(kind, records, pixels);
         fprintf(out, ": %s, from 1e%d (dark) to 1e%d (light)\n",

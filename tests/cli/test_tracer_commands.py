@@ -688,6 +688,14 @@ class Heat(Commands):
             self.assertLess(int(found[1]), int(found[2]))
             self.assertGreater(len(set(sum(rows_of(f"{kind}.ppm")[:36], []))), 1)
 
+    def test_the_key_of_an_empty_picture(self):
+        self.SCENE = "empty.rt"
+        put(self.SCENE, SCENE)
+        sky = (*SIZE, "--tile", "3,0,5x4")
+        self.assertEqual(self.key("error", *sky), ["heat error: no ray met anything",
+                                                   f"  #54585c miss {'20':>22}"])
+        self.assertEqual(self.key("stage", *sky)[0], "heat stage, pixels")
+
     def test_a_heat_is_written_like_any_picture(self):
         self.render("scene.rt", "a.png", "--heat", "stage", *SIZE)
         self.assertEqual(contents("a.png")[:8], b"\x89PNG\r\n\x1a\n")
