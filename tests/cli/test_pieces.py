@@ -273,6 +273,9 @@ class Pictures(Pieces):
             self.fail_with(WRONG_USAGE, f"surehit render: error: {option} does not go with "
                            "pieces; .*", "plan", "--pieces", "2", "-o", "m", *SMALL,
                            *option.split())
+        self.fail_with(WRONG_USAGE, "surehit render: error: --continue does not go with pieces; .*",
+                       "plan", "--pieces", "2", "-o", "m", *SMALL, "--integrator", "forward",
+                       "--continue", "a.share")
         self.fail_with(WRONG_USAGE, "m: error: there are no more than 132 squares", "plan",
                        "--pieces", "133", "-o", "m", *SMALL)
         self.plan(2, *SMALL)
