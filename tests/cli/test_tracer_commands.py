@@ -321,7 +321,8 @@ class Checks(Commands):
         for words in (["--quick"], ["--threads", "1"], ["--threads=3"], ["--quick", "--threads=2"]):
             self.assertEqual(self.assert_right(*words), f"a.cert: {ALL_RIGHT}\n")
         self.assertEqual(self.assert_right("--quiet"), "")
-        put("a.cert", contents("a.cert").replace(b" miss\n", b" 0 surface exact 0x1p+0 0x0p+0\n", 1))
+        put("a.cert", contents("a.cert").replace(b" miss\n", b" 0 surface exact 0x1p+0 0x0p+0\n",
+                                                 1))
         self.assertIn("1 wrong: another object 1", self.check(WRONG, "--quiet").stdout)
 
     def test_another_object(self):
