@@ -5,7 +5,6 @@
 #include "rt_reader.h"
 
 #include <stdarg.h>
-#include <strings.h>
 
 bool rt_may(rt_reader *r, const char *place, const char *warning, const char *error, ...)
 {
@@ -60,11 +59,9 @@ static bool fits(rt_reader *r, const rt_field *fields)
     return all;
 }
 
-/* In letters of any case. */
 static bool has_word(const char *const *words, rt_word w)
 {
-    size_t length = (size_t)(w.end - w.start);
-    while (*words && (strlen(*words) != length || strncasecmp(*words, w.start, length) != 0))
+    while (*words && !rt_is_word_in_any_case(w, *words))
         words++;
     return *words;
 }

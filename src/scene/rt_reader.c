@@ -6,7 +6,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #define SIZE "a whole number from 1 to 65535", 1, RT_WHOLE_MAX
 
@@ -153,17 +152,10 @@ static void complain_identifier(rt_reader *r, rt_word w)
                     rt_quote(w).text, rt_identifiers().text);
 }
 
-/* The same word in letters of another case. */
-static bool is_in_other_case(rt_word w, const char *known)
-{
-    size_t length = (size_t)(w.end - w.start);
-    return strlen(known) == length && strncasecmp(known, w.start, length) == 0;
-}
-
 /* What dialect 42 takes it for: c and l, which it has; other slips with a warning; other forms. */
 static line_kind find_kind_in_42(rt_reader *r, rt_word w)
 {
-    line_kind kind = find_kind(w, is_in_other_case);
+    line_kind kind = find_kind(w, rt_is_word_in_any_case);
     if (kind.word && !rt_is_word(w, "c") && !rt_is_word(w, "l"))
         rt_complain(&r->notes, RT_LIBERTY, rt_place_of(&r->notes, w.start), "%s is read as '%s'",
                     rt_quote(w).text, kind.word);

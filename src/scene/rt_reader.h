@@ -10,6 +10,7 @@
 
 #include <locale.h> /* locale_t, in POSIX */
 #include <string.h>
+#include <strings.h>
 
 #define RT_LONGEST_LINE 65535 /* bytes: longer ones are not for these functions */
 #define RT_WHOLE_MAX 65535
@@ -69,6 +70,13 @@ static inline bool rt_is_word(rt_word word, const char *text)
             return false;
     }
     return *text == '\0';
+}
+
+/* In letters of any case. */
+static inline bool rt_is_word_in_any_case(rt_word word, const char *text)
+{
+    size_t length = (size_t)(word.end - word.start);
+    return strlen(text) == length && strncasecmp(text, word.start, length) == 0;
 }
 
 /* A digit, a sign or a point. */
