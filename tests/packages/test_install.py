@@ -72,7 +72,7 @@ class Install(Trial):
         self.prefix = self.scratch / "prefix"
         self.run(*self.meson, "setup", "whole", self.root, f"--prefix={self.prefix}", *OPTIONS)
         if json.loads(self.run(*self.meson, "introspect", "--tests", "whole")):
-            raise Fault("-Dtests=disabled leaves tests, which who builds packages runs")
+            raise Fault("-Dtests=disabled leaves tests, and Debian's tools would run them")
         self.run("ninja", "-C", "whole")
         self.run(*self.meson, "install", "-C", "whole", "--no-rebuild")
         self.program_path = self.prefix / "bin/surehit"

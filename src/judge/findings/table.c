@@ -51,15 +51,15 @@ void findings_print_head(const judging_plan *plan, const findings *of)
            "cert", plan->instructions ? " |  instr textb  cert" : "");
 }
 
-/* Of no case there is none. */
+/* "-" where no case was asked. */
 static void print_share(const verdict *sum)
 {
-    char interval[32];
-    double share = 100 * (double)sum->wrong / (double)sum->valid;
     if (sum->valid == 0) {
         printf(" %7s %-17s", "-", "");
         return;
     }
+    char interval[32];
+    double share = 100 * (double)sum->wrong / (double)sum->valid;
     snprintf(interval, sizeof interval, "%.3g .. %.3g", 100 * sum->wrong_share.lower,
              100 * sum->wrong_share.upper);
     int digits = sum->wrong == 0 ? 0 : share < 1 ? 4 : 2;
@@ -189,7 +189,6 @@ void findings_print_breaches(const findings *of)
         print_breaches_of(&of->rows[i]);
 }
 
-/* No fault of anybody. */
 void findings_print_skipped(const findings *of)
 {
     const char *head = "\nNot asked, since they are not in the entry or invalid as floats\n";

@@ -44,14 +44,16 @@ static uint64_t sum_of(const uint64_t counts[EVENTS])
     return sum;
 }
 
-/* Of no case there is neither a share nor a largest. */
+/* "-" where no case was asked. */
 static void print_beyond(const referee_row *row, const margins *told)
 {
-    const uint64_t valid = row->sum->valid;
-    for (int i = 0; i < told->count && valid > 0; i++)
-        printf(" %7.3g", 100 * (double)row->of->beyond[i] / (double)valid);
-    for (int i = 0; i < told->count && valid == 0; i++)
-        printf(" %7s", "-");
+    const double valid = (double)row->sum->valid;
+    for (int i = 0; i < told->count; i++) {
+        if (valid > 0)
+            printf(" %7.3g", 100 * (double)row->of->beyond[i] / valid);
+        else
+            printf(" %7s", "-");
+    }
     if (valid > 0)
         printf(" | %6.2g", refereed_most(row->of));
     else
