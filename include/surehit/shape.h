@@ -23,7 +23,8 @@ SURE_C_BEGIN
  *        has it). `leaves` is 1 where it is the second end and the first lies before t_min.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss; in certain and exact it does not
- *        put it off either: exact's t is no greater, certain's by no more than both errors.
+ *        put it off either: exact's t is no greater, certain's by no more than both errors. There
+ *        a range that is cut at the double above t + t_error keeps the hit.
  * Law 7: t lies in [t_min, t_max], in float32 as floats have them; the normal is a unit vector up
  *        to rounding, never a NaN, and not zero. Of plain tiers, where subnormals are flushed, it
  *        may be zero, and t 0 where t_min is flushed.

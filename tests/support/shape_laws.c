@@ -228,6 +228,19 @@ static bool law_untouched(const sure_case *question, sure_tier tier)
            (interval == SURE_HIT || memcmp(&chord, &chord_before, sizeof chord) == 0);
 }
 
+/* Law 6: where decisions are right a range that is cut at the double above t + t_error, whose sum
+ * may be rounded below t*, keeps the hit. */
+static bool law_cut(const sure_case *question, sure_tier tier, const outcome *plain)
+{
+    if (plain->status != SURE_HIT || !is_sure(tier))
+        return true;
+    sure_case cut = *question;
+    double end = nextafter(plain->hit.t + plain->hit.t_error, INFINITY);
+    cut.ray.t_max = fmin(end, cut.ray.t_max);
+    outcome o = ask(&cut, tier);
+    return o.status == SURE_HIT && o.hit.part == plain->hit.part;
+}
+
 /* Law 6: widening [t_min, t_max] never turns a hit into a miss. Where decisions are right it does
  * not put it off either. */
 static bool law_wider(const sure_case *question, sure_tier tier, const outcome *plain)
@@ -336,6 +349,8 @@ const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned
         return "Law 4: hit, interval and occluded agree";
     if (!law_wider(question, tier, &plain))
         return "Law 6: a wider t range keeps the hit";
+    if (!law_cut(question, tier, &plain))
+        return "Law 6: a t range cut above t + t_error keeps the hit";
     if (!law_in_range(question, tier, &plain))
         return "Law 7: t in its range, the normal a unit vector";
     if (tier == SURE_TIER_CERTAIN && !law_sure(question, &plain))
