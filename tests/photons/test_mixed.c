@@ -622,12 +622,12 @@ LOOP_TEST(seen_by_the_eye, 2)
     uint64_t nearest = 0;
     sample s;
     for (int i = 0; i < SEEDS; i++) {
-        FREED_BY(photon_map_free) sure_photon_map map = map_of(&scene, _i ? 100000 : 20000, i);
+        FREED_BY(photon_map_free) sure_photon_map map = map_of(&scene, _i ? 200000 : 20000, i);
         nearest = i == 0 || map.nearest < nearest ? map.nearest : nearest;
         s.value[i] = seen_of_image(&scene, &map, &image);
     }
     weigh(&s);
-    ck_assert_uint_ge(nearest, 8);
+    ck_assert_uint_ge(nearest, 12);
     double truth = 0.5 * share;
     ck_assert_msg(fabs(s.mean - truth) <= s.doubt + truth / (double)nearest, "%g, not %g +- %g",
                   s.mean, truth, s.doubt);
