@@ -87,16 +87,25 @@ static double number_of(film_sum sum)
     return (double)sum * 0x1p-32;
 }
 
-static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photons,
-                        tile tiles[TILES])
+/* Photons first .. first + photons - 1, on a dark film. */
+static film traced(const sure_scene *scene, uint64_t first, uint64_t photons)
 {
     forward_sum done = {.sum = {.tier = SURE_TIER_CERTAIN, .how = {.seed = 1, .bounces = 1}}};
-    film *sums = &done.sum.sums;
     const index_range asked = {first, first + photons};
-    const double pixels = TILE * TILE, count = (double)photons;
-    ck_assert(film_new(WIDTH, HEIGHT, sums));
+    ck_assert(film_new(WIDTH, HEIGHT, &done.sum.sums));
     ck_assert(forward_sum_trace(scene, &(render_options){0}, asked, &done));
     ck_assert_uint_eq(done.traced, photons);
+    film sums = done.sum.sums;
+    done.sum.sums = (film){0};
+    partial_film_free(&done.sum);
+    return sums;
+}
+
+/* The picture of so many photons. */
+static void tiles_of(const film *sums, uint64_t photons, tile tiles[TILES])
+{
+    const double pixels = TILE * TILE, count = (double)photons;
+    memset(tiles, 0, TILES * sizeof *tiles);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         tile *to = tile_at(tiles, i % WIDTH, HEIGHT - 1 - i / WIDTH);
         for (int c = 0; c < 3; c++) {
@@ -104,12 +113,19 @@ static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photon
             to->variance[c] += number_of(sums->pixels[i].square[c]) / count / (pixels * pixels);
         }
     }
-    partial_film_free(&done.sum);
     for (int i = 0; i < COMPARED; i++) {
         tile *of = &tiles[i / 3];
         double mean = of->value[i % 3];
         of->variance[i % 3] = (of->variance[i % 3] - mean * mean) / (count - 1);
     }
+}
+
+static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photons,
+                        tile tiles[TILES])
+{
+    film sums = traced(scene, first, photons);
+    tiles_of(&sums, photons, tiles);
+    film_free(&sums);
 }
 
 /* How far apart, in standard deviations. */
@@ -131,13 +147,9 @@ static double limit_of(double alarm)
 }
 
 /* Every tile, in every colour. */
-TEST(test_tiles)
+static void compare_tiles(const tile forward[TILES], const tile backward[TILES])
 {
-    FREED_BY(placement_free) sure_scene scene = scene_of("agreement");
-    tile forward[TILES] = {0}, backward[TILES] = {0};
     double limit = limit_of(FALSE_ALARM / COMPARED), worst = 0, all = 0;
-    see_backward(&scene, backward);
-    see_forward(&scene, 0, most_photons(), forward);
     for (int i = 0; i < COMPARED; i++) {
         double z = deviation(&forward[i / 3], &backward[i / 3], i % 3);
         worst = fmax(worst, fabs(z));
@@ -147,20 +159,6 @@ TEST(test_tiles)
     }
     printf("%d tiles and colours, %.0f photons: at most %.2f sigma apart (limit %.2f), rms %.3f\n",
            COMPARED, (double)most_photons(), worst, limit, sqrt(all));
-}
-
-/* The sum over tiles of the squared error in green, of photons first .. first + photons - 1. */
-static double square_error(const sure_scene *scene, uint64_t first, uint64_t photons,
-                           const tile backward[TILES])
-{
-    tile forward[TILES] = {0};
-    double sum = 0;
-    see_forward(scene, first, photons, forward);
-    for (int i = 0; i < TILES; i++) {
-        double error = forward[i].value[1] - backward[i].value[1];
-        sum += error * error;
-    }
-    return sum;
 }
 
 /* A sum of squares of normal numbers, by its mean over what is expected and its degrees of freedom,
@@ -176,30 +174,111 @@ typedef struct {
     double sum, squares;
 } scatter;
 
+/* Runs of so many photons, other ones in each; all together are MOST_PHOTONS at most. */
 typedef struct {
     uint64_t photons;
     int runs;
 } decade;
 
-/* So many runs, other photons in each. Few runs are those of many photons, whose tiles are normally
- * distributed; the mean of many runs is so itself. */
-static void check_decade(const sure_scene *scene, const decade *of, const tile backward[TILES],
-                         double known, scatter one, double limit)
+static const decade decades[] = {
+    {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
+enum { DECADES = sizeof decades / sizeof *decades, TIMES = 10 /* the decade before */ };
+
+/* Of each decade's runs the squared error times N, summed, and the square of that. */
+typedef struct {
+    const sure_scene *scene;
+    const tile *backward;
+    double runs[DECADES], sum[DECADES], squares[DECADES];
+} falling;
+
+static bool is_wanted(int which, uint64_t first)
 {
-    double n = (double)of->photons, runs = of->runs, sum = 0, squares = 0;
-    for (int r = 0; r < of->runs; r++) {
-        double e = n * square_error(scene, (uint64_t)r * of->photons, of->photons, backward);
-        sum += e;
-        squares += e * e;
+    return which >= 0 && first < decades[which].photons * (uint64_t)decades[which].runs;
+}
+
+/* The squared error in green, summed over tiles. */
+static void add_error(falling *to, int which, const film *sums)
+{
+    tile forward[TILES];
+    double sum = 0;
+    tiles_of(sums, decades[which].photons, forward);
+    for (int i = 0; i < TILES; i++) {
+        double error = forward[i].value[1] - to->backward[i].value[1];
+        sum += error * error;
     }
-    double mean = sum / runs, expected = one.sum + known * n;
-    double z = (mean - expected) / sqrt((squares / runs - mean * mean) / (runs - 1));
-    if (of->runs < 30)
+    sum *= (double)decades[which].photons;
+    to->runs[which]++;
+    to->sum[which] += sum;
+    to->squares[which] += sum * sum;
+}
+
+/* A decade's run, as runs of the decade before where these are wanted. */
+static film run_of(falling *to, int which, uint64_t first)
+{
+    film sums;
+    if (is_wanted(which - 1, first)) {
+        ck_assert(film_new(WIDTH, HEIGHT, &sums));
+        for (uint64_t i = 0; i < TIMES; i++) {
+            film part = run_of(to, which - 1, first + i * decades[which - 1].photons);
+            film_merge(&sums, &part);
+            film_free(&part);
+        }
+    } else {
+        sums = traced(to->scene, first, decades[which].photons);
+    }
+    if (is_wanted(which, first))
+        add_error(to, which, &sums);
+    return sums;
+}
+
+/* Few runs are those of many photons, whose tiles are normally distributed; the mean of many runs
+ * is so itself. */
+static void check_decade(const falling *of, int which, double known, scatter one, double limit)
+{
+    double n = (double)decades[which].photons, runs = of->runs[which];
+    double mean = of->sum[which] / runs, expected = one.sum + known * n;
+    double z = (mean - expected) / sqrt((of->squares[which] / runs - mean * mean) / (runs - 1));
+    if (runs < 30)
         z = deviation_of_squares(mean / expected, runs * one.sum * one.sum / one.squares);
     printf("%8.0f photons, %4.0f runs: error %.6f, times root N %.4f, expected %.4f\n", n, runs,
            sqrt(mean / n), sqrt(mean), sqrt(expected));
     ck_assert_msg(fabs(z) <= limit, "%g photons: %g, expected %g: %.2f sigma", n, mean, expected,
                   z);
+}
+
+/* The error of N photons falls as the root of N: its square times N is one number for all N, the
+ * variance of one photon, which others tell. */
+static void check_fall(const sure_scene *scene, const tile backward[TILES], const tile whole[TILES])
+{
+    falling of = {.scene = scene, .backward = backward};
+    scatter one = {0, 0};
+    double known = 0;
+    int last = DECADES - 1;
+    for (int i = 0; i < TILES; i++) {
+        double v = whole[i].variance[1] * (double)most_photons();
+        one.sum += v;
+        one.squares += v * v;
+        known += backward[i].variance[1];
+    }
+    while (decades[last].photons > most_photons())
+        last--;
+    for (uint64_t photons = decades[last].photons, end = photons; end <= most_photons();
+         end += photons) {
+        film sums = run_of(&of, last, end - photons);
+        film_free(&sums);
+    }
+    for (int i = 0; i <= last; i++)
+        check_decade(&of, i, known, one, limit_of(FALSE_ALARM / DECADES));
+}
+
+TEST(test_photons)
+{
+    FREED_BY(placement_free) sure_scene scene = scene_of("agreement");
+    tile forward[TILES], backward[TILES] = {0};
+    see_backward(&scene, backward);
+    see_forward(&scene, MOST_PHOTONS, most_photons(), forward);
+    compare_tiles(forward, backward);
+    check_fall(&scene, backward, forward);
 }
 
 /* Mixed, where it is needed: a ball of coloured glass over a floor, and a mirror beside it. */
@@ -297,29 +376,6 @@ TEST(test_caustic)
     }
     printf("%d tiles and colours of a caustic, %d of them brighter than backward\n", compared, lit);
     ck_assert_int_ge(lit, 3); /* a tile in all colours: else nothing was compared */
-}
-
-/* The error of N photons falls as the root of N: its square times N is one number for all N, the
- * variance of one photon. */
-TEST(test_error_falls)
-{
-    static const decade decades[] = {
-        {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
-    enum { DECADES = sizeof decades / sizeof *decades };
-    FREED_BY(placement_free) sure_scene scene = scene_of("agreement");
-    tile backward[TILES] = {0}, whole[TILES] = {0};
-    scatter one = {0, 0};
-    double known = 0;
-    see_backward(&scene, backward);
-    see_forward(&scene, MOST_PHOTONS, most_photons(), whole);
-    for (int i = 0; i < TILES; i++) {
-        double v = whole[i].variance[1] * (double)most_photons();
-        one.sum += v;
-        one.squares += v * v;
-        known += backward[i].variance[1];
-    }
-    for (int k = 0; k < DECADES && decades[k].photons <= most_photons(); k++)
-        check_decade(&scene, &decades[k], backward, known, one, limit_of(FALSE_ALARM / DECADES));
 }
 
 SUITE("agreement")

@@ -10,12 +10,11 @@
  *     scale         ... were the numbers not floats (PEER_FLOAT) of like sizes */
 #include "library.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #ifdef PEER_EXACT
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 const char sure_candidate_entry[] = "decision";
 #else
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 const char sure_candidate_entry[] = "decision unit local ray square scale=1e-3..1e3";
 #endif
 
