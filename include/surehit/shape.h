@@ -16,8 +16,8 @@ SURE_C_BEGIN
  * Law 2: d -> 2^k d with the t range times 2^-k leaves status, part and normal and turns t into
  *        t * 2^-k, likewise.
  * Law 3: negating one coordinate of everything, or exchanging x and y, leaves status, part and t
- *        and does the same to the normal. A box's faces then have each other's names, and on an
- *        edge another one may come first.
+ *        and does the same to the normal, in certain t and normal within their errors. A box's
+ *        faces then have each other's names, and on an edge another one may come first.
  * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min, on a chord that
  *        lies in the boundary (in certain within the errors, in the plain tiers as their precision
  *        has it). `leaves` is 1 where it is the second end and the first lies before t_min.
