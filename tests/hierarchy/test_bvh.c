@@ -7,6 +7,7 @@
 #include "../support/every_case.h"
 #include "../support/small_scene.h"
 #include "../support/surroundings.h"
+#include "packet_boxes.h"
 
 #include "../../src/hierarchy/bvh_build.h"
 #include "../../src/hierarchy/bvh_walk.h"
@@ -163,7 +164,24 @@ typedef struct {
     double enter[SURE_BVH_WIDTH];
     uint64_t meets[SURE_BVH_WIDTH];
     bool kept[SURE_BVH_WIDTH];
+    int child;
+    unsigned together; /* of a packet of such rays, who meets the child's box */
 } walk;
+
+static void walk_together(walk *w)
+{
+    const double numbers[] = {w->ray.origin.x,    w->ray.origin.y,    w->ray.origin.z,
+                              w->ray.direction.x, w->ray.direction.y, w->ray.direction.z,
+                              w->ray.t_min};
+    boxes_column rays[7], t_max, endless;
+    for (int i = 0; i < BOXES_PACKET; i++) {
+        for (int k = 0; k < 7; k++)
+            rays[k][i] = numbers[k];
+        t_max[i] = w->ray.t_max;
+        endless[i] = INFINITY;
+    }
+    w->together = packet_boxes_met(&w->node, w->child, rays, t_max, endless);
+}
 
 /* With t_max known, and found out later. */
 static void walk_boxes(walk *w)
@@ -174,6 +192,7 @@ static void walk_boxes(walk *w)
     for (int k = 0; k < SURE_BVH_WIDTH; k++)
         w->kept[k] = at_all[k] && !(w->enter[k] > w->ray.t_max + probe.slack);
     bvh_meets(&w->node, &probe, w->ray.t_max, w->enter, w->meets);
+    walk_together(w);
 }
 
 static void (*volatile ask_walk)(walk *) = walk_boxes;
@@ -207,12 +226,12 @@ static void require_met(const sure_ray *ray, const sure_bounds *box, int environ
 {
     const sure_bounds other = {{1, 2, -3}, {2, 5, 3}};
     for (int beside = 0; beside < 2; beside++) {
-        walk w = {.ray = *ray, .node = node_of(box, child, beside ? &other : NULL)};
+        walk w = {.ray = *ray, .node = node_of(box, child, beside ? &other : NULL), .child = child};
         IN(environment, ask_walk(&w));
-        ck_assert_msg(w.meets[child] && w.kept[child],
-                      "%s: lost: ray of %s, box %s, %s, child %d, %d beside",
+        ck_assert_msg(w.meets[child] && w.kept[child] && w.together == 0xff,
+                      "%s: lost: ray of %s, box %s, %s, child %d, %d beside; together %x",
                       surroundings_name(environment), text_of(ray, &no_object), box_text(box), what,
-                      child, beside);
+                      child, beside, w.together);
     }
 }
 
@@ -222,6 +241,7 @@ static bool is_met(const sure_ray *ray, const sure_bounds *box)
     walk w = {.ray = *ray, .node = node_of(box, 0, NULL)};
     ask_walk(&w);
     ck_assert(w.kept[0] || !w.meets[0]);
+    ck_assert_uint_eq(w.together, w.meets[0] ? 0xff : 0);
     return w.meets[0];
 }
 
@@ -669,6 +689,7 @@ MEMBER(plane, ground(n))
 MEMBER(concentric, sphere(0, 0, 0, 1 + n))
 MEMBER(point, sphere(0.1 * (double)(i % 7), 0, 0, 0))
 MEMBER(line, sphere(n, 0, 0, 0.25))
+MEMBER(apart, sphere(100 * n, 0, 0, 1))
 MEMBER(ulp, sphere(STEPS(i % 20), STEPS(i / 20 % 20), STEPS(i / 400), 0))
 MEMBER(heap_x, heaped(i, 0))
 MEMBER(heap_y, heaped(i, 1))
@@ -691,6 +712,7 @@ static const struct {
     {"concentric", concentric_member, 5000, INFINITY},
     {"points in few places", point_member, 3000, INFINITY},
     {"a line", line_member, 10000, INFINITY},
+    {"each in a leaf of its own", apart_member, 3000, 4},
     {"doubling", doubling_member, 20000, INFINITY},
     {"ulps apart", ulp_member, 8000, INFINITY},
     {"endless", endless_member, 2000, INFINITY},
@@ -1078,6 +1100,8 @@ LOOP_TEST(test_build, COLLECTIONS)
     inspect(&of);
     printf("%s: %zu objects, %u nodes, %u deep\n", name, count, of.nodes, of.deepest);
     ck_assert_uint_le(of.nodes, count + 1);
+    ck_assert_uint_eq(bvh_bytes(&first, count),
+                      of.nodes * sizeof *first.nodes + count * sizeof *first.slots);
     for (int threads = 0; threads <= 8; threads++) {
         ck_assert(bvh_build(objects, count, threads, &other));
         ck_assert_msg(same_hierarchy(&first, &other, count, of.nodes), "%s: %d threads", name,
