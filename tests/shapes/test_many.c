@@ -205,6 +205,62 @@ TEST(test_dense)
         }
 }
 
+/* Columns without gaps of the cases' rays. */
+static sure_rays dense_rays(const sure_case *cases)
+{
+    static double columns[T][DENSE_MOST];
+    sure_rays rays;
+    for (int k = 0; k < T; k++) {
+        for (int i = 0; i < DENSE_MOST; i++)
+            columns[k][i] = ((const double *)(const void *)&cases[i].ray)[k];
+        ((sure_numbers *)(void *)&rays)[k] = (sure_numbers){columns[k], sizeof(double)};
+    }
+    return rays;
+}
+
+/* Of number k of the object every `steps[k]`-th double counts; 0: the first one for all. */
+static void check_columns(const sure_case *given, const int steps[SURE_SHAPE_NUMBERS])
+{
+    static double columns[SURE_SHAPE_NUMBERS][2 * DENSE_MOST], t[DENSE_MOST];
+    static uint8_t status[DENSE_MOST];
+    static sure_case cases[DENSE_MOST];
+    const sure_rays rays = dense_rays(given);
+    const sure_hits hits = {.status = {status, 1}, .t = {t, sizeof *t}};
+    sure_objects objects = {.shape = given->object.shape};
+    memcpy(cases, given, sizeof cases);
+    for (int k = 0; k < sure_shape_info_of(objects.shape)->numbers; k++) {
+        objects.numbers[k] = (sure_numbers){columns[k], steps[k] * (ptrdiff_t)sizeof(double)};
+        for (int i = 0; i < DENSE_MOST; i++) {
+            double *number = (double *)(void *)&cases[i].object.as + k;
+            if (i == 0 || steps[k] > 0)
+                columns[k][i * steps[k]] = *number;
+            *number = columns[k][i * steps[k]];
+        }
+    }
+    sure_objects_hits(DENSE_MOST, &rays, &objects, SURE_TIER_CERTAIN, &hits);
+    for (int i = 0; i < DENSE_MOST; i++) {
+        sure_hit hit;
+        ck_assert_int_eq(status[i],
+                         sure_object_hit(&cases[i].ray, &cases[i].object, SURE_TIER_CERTAIN, &hit));
+        ck_assert(status[i] != SURE_HIT || memcmp(&t[i], &hit.t, sizeof hit.t) == 0);
+    }
+}
+
+/* One column of the object is not like the others. */
+SHAPE_TEST(columns_apart)
+{
+    static sure_case cases[DENSE_MOST];
+    for (int i = 0; i < DENSE_MOST; i++)
+        cases[i] = regime_case((sure_shape)_i, REGIME_TYPICAL, 1, (uint64_t)i);
+    for (int apart = 0; apart < SURE_SHAPE_NUMBERS; apart++)
+        for (int others = 0; others < 2; others++) {
+            int steps[SURE_SHAPE_NUMBERS];
+            for (int k = 0; k < SURE_SHAPE_NUMBERS; k++)
+                steps[k] = k == apart ? others + 1 : others;
+            check_columns(cases, steps);
+        }
+}
+
 /* Most rays miss, and long runs of them, which are asked in another way; some of a run meet the
  * object or are invalid. Far more than a block's room holds. */
 SHAPE_TEST(runs)
