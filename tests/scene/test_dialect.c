@@ -257,6 +257,13 @@ TEST(dialect_and_other_options)
     outcome_free(&o);
 }
 
+TEST(light_that_falls_off_may_be_bright)
+{
+    outcome o = read_by(HEAD "#! falloff inverse-square\nL 0,0,0 1.5\n", "42");
+    ck_assert(o.good && o.scene.lights[o.scene.light_count - 1].light.brightness == 1.5);
+    outcome_free(&o);
+}
+
 /* A word in capitals has all the forms that it has in small letters. */
 TEST(forms_in_capitals)
 {

@@ -355,6 +355,8 @@ TEST(first_errors_and_how_many_more)
         {"X\n", "error", "test.rt: 1 more error\n", RT_ERRORS_SHOWN + 1},
         {"X\n", "error", "test.rt: 4980 more errors\n", 5000},
         {"sq 1\nL 0,0,0 2\nX\n", "error", "test.rt: 70 more errors\n", 30},
+        {"sq\n", "warning", "test.rt: warning: 1 more unknown surface is left out\n",
+         RT_ERRORS_SHOWN + 1},
         {"sq\n", "warning", "test.rt: warning: 3 more unknown surfaces are left out\n",
          RT_ERRORS_SHOWN + 3},
     };
@@ -374,6 +376,36 @@ TEST(first_errors_and_how_many_more)
         const char *last = strstr(o.messages, rows[i].last);
         ck_assert_msg(last && last[-1] == '\n' && !strchr(last, '\n')[1], "%s", o.messages);
     }
+}
+
+/* Each option of its own is told apart, and becomes JSON and is taken from it; of several the size
+ * is named first. */
+TEST(options_apart)
+{
+    static const char *const others[][2] = {{"handedness", "left"},
+                                            {"fov", "vertical"},
+                                            {"cylinder-position", "base"},
+                                            {"cone-position", "apex"},
+                                            {"falloff", "inverse-square"},
+                                            {"dialect", "42"},
+                                            {"skip-unknown", ""},
+                                            {"size", "7x5"},
+                                            {"camera", "3"}};
+    const rt_options usual = rt_default_options();
+    rt_options all = usual;
+    rt_options_set set = 0;
+    for (int i = 0; i < LENGTH(others); i++) {
+        rt_options one = usual, back = usual;
+        ck_assert_ptr_null(rt_set_option(&one, &set, others[i][0], others[i][1]));
+        ck_assert_ptr_null(rt_set_option(&all, &set, others[i][0], others[i][1]));
+        ck_assert_str_eq(rt_options_difference(&usual, &one), others[i][0]);
+        json_t *object = rt_options_json(&one);
+        ck_assert_ptr_null(rt_options_from_json(object, &back));
+        ck_assert_ptr_null(rt_options_difference(&one, &back));
+        json_decref(object);
+    }
+    ck_assert_int_eq(LENGTH(others), RT_OPTIONS);
+    ck_assert_str_eq(rt_options_difference(&usual, &all), "size");
 }
 
 TEST(bright_lights)
