@@ -100,6 +100,20 @@ LOOP_TEST(test_huge_range, PLAIN_TIERS)
     ck_double_same(t[1], c);
 }
 
+/* What is met at the very end of the range, which from + (to - from) falls short of. */
+LOOP_TEST(test_last_step, PLAIN_TIERS)
+{
+    const bool singles = _i == SURE_TIER_FLOAT32;
+    const double from = singles ? 0x1.9ccdd4p-1 : 0x1.77fc19dd1d408p-3;
+    const double to = singles ? 0x1.b55f96p+1 : 0x1.799e59e6179fdp+1;
+    const sure_ray ray = {{0, 0, 0}, {1, 0, 0}, from, to};
+    for (int steps = 1; steps <= 4; steps++) {
+        double t[2];
+        ck_assert_int_eq(brackets[_i](ahead, &to, &ray, steps, t), SURE_HIT);
+        ck_double_same(t[1], to);
+    }
+}
+
 static double beside(const void *c, sure_vec3 p)
 {
     return fabs(p.z - *(const double *)c) - 0.4;

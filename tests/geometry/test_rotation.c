@@ -50,6 +50,15 @@ LOOP_TEST(test_matrix, PLAIN_TIERS)
     ck_vector_same(undo[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){11, 13, 17});
 }
 
+/* A sum of two terms overflows, that of all three does not. */
+TEST(test_overflow)
+{
+    const sure_mat3 m = {{{0.75, 0.75, -0.5}, {0.75, 0.75, -0.5}, {-0.5, -0.5, 1}}};
+    const sure_vec3 v = {0x1.8p1023, 0x1.8p1023, 0x1.8p1023}, expected = {v.x, v.x, 0};
+    ck_vector_same(sure_rotation_apply_stable(&m, v), expected);
+    ck_vector_same(sure_rotation_undo_stable(&m, v), expected);
+}
+
 LOOP_TEST(test_not_finite, PLAIN_TIERS)
 {
     const double bad[] = {INFINITY, -INFINITY, NAN};

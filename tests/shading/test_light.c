@@ -22,6 +22,15 @@ LOOP_TEST(test_stable, PLAIN_TIERS)
     }
 }
 
+/* The way to the light is beyond the range itself. */
+TEST(test_way_beyond_the_range)
+{
+    const sure_light light = {{0x1p1023, 0, 0}, {0x1p1000, 0, 0}, 0x1p1023};
+    const sure_vec3 point = {-0x1p1023, 0, 0};
+    sure_vec3 seen = sure_light_color_stable(&light, point, SURE_FALLOFF_INVERSE_SQUARE);
+    ck_assert(seen.x == ldexp(1 / (4 * 3.14159265358979323846), -25));
+}
+
 /* A share beyond the range: no colour is lost, and what is dark stays dark. */
 LOOP_TEST(test_overflow, PLAIN_TIERS)
 {
