@@ -99,6 +99,21 @@ LOOP_TEST(round_trip, TRIPS)
     assert_reads("a.png", &image);
 }
 
+/* In any case. */
+TEST(the_name_tells_the_kind)
+{
+    static const char *const names[] = {"a.PNG", "a.pNg", "a.PPM", "a.pPm"};
+    FREED_BY(picture_free) picture image = colorful(3, 2);
+    for (int i = 0; i < 4; i++) {
+        size_t size;
+        ck_assert(picture_has_name(names[i]));
+        write_well(&image, names[i]);
+        uint8_t *bytes = get(names[i], &size);
+        ck_assert_mem_eq(bytes, i < 2 ? "\x89P" : "P6", 2);
+        free(bytes);
+    }
+}
+
 /* Size, 8 bits of RGB, the data and the end: nothing that tells when or by whom. */
 TEST(png_holds_nothing_but_the_picture)
 {

@@ -186,6 +186,10 @@ class Diff(TwoPictures):
         self.assertEqual(result.stderr, "d.ppm: not written: the pictures differ in size\n")
         self.assertEqual(contents("d.ppm"), b"old")
         self.assertEqual(loaded("j"), {"same": False, "sizes": [[6, 4], [4, 6]]})
+        for size in ((6, 3), (5, 4)):
+            self.put_pair(noise(6, 4, 1), noise(*size, 1))
+            self.assertEqual(self.diff(DIFFERENT, "a", "b"),
+                             "a and b differ: sizes 6x4 and %dx%d\n" % size)
 
     def test_comments_and_blanks_of_a_ppm(self):
         image = noise(3, 2, 1)
@@ -517,6 +521,25 @@ class Regress(Scenes):
                                            for name in ("golden/b.png", "d.rt", "golden/q.png")))
             self.assertEqual(lines[1], "b.rt: error: the golden picture can't be read" + b)
 
+    def test_links_that_lead_nowhere(self):
+        """What is there and cannot be read is not taken for what is not there."""
+        os.remove("s/golden/b.png")
+        for path in ("s/golden/b.png", "loop"):
+            os.symlink(os.path.basename(path), path)
+        for words in ((), ("--accept",)):
+            lines, _, said = self.regress(TROUBLE, *words)
+            self.assertEqual(lines[1].split(";")[0],
+                             "b.rt: error: the golden picture can't be read")
+            self.assertIn("s/golden/b.png: error: Too many levels", said)
+        self.fail_with(TROUBLE, "loop: error: cannot be read: Too many levels .*", "regress", "s",
+                       "--golden", "loop")
+
+    def test_one_scene(self):
+        os.mkdir("one")
+        put("one/a.rt", SCENE)
+        said = self.ask(SAME, "regress", "one", *SIZE, "--accept").stdout
+        self.assertTrue(said.endswith("\n1 scene: 1 new\n"), said)
+
     def test_no_scene_left_removes_nothing(self):
         for name in "abcd":
             os.remove(f"s/{name}.rt")
@@ -568,11 +591,12 @@ class FailedWrites(Scenes):
         """Whatever has no mark of --accept is not golden, and nobody's to remove."""
         self.render("a", "s/golden/holiday.png")
         put("s/golden/photo.png", png_of(1, 1, 8, RGB, [b"rgb"],
-                                         chunk(b"tEXt", b"Source\0a camera")))
+                                         chunk(b"tEXt", b"Source\0surehit render")))
         lines = self.regress(DIFFERENT, "--accept")[0]
         self.assertTrue(lines[4].endswith("; removed"), lines)
         os.mkdir("s/golden/z.png")
-        put("s/golden/c.png", self.before["./s/golden/c.png"])
+        golden = self.before["./s/golden/c.png"]
+        put("s/golden/c.png", golden[:33] + chunk(b"tEXt", b"Title\0c") + golden[33:])
         lines = self.regress(TROUBLE, "--accept")[0]
         self.assertTrue(lines[4].endswith("; removed"), lines)
         for line in lines[5:]:
@@ -603,6 +627,8 @@ class FailedWrites(Scenes):
         self.assertEqual(said, "s/golden/a.png: error: the page may not take the place of a scene "
                          "or picture\n")
         self.assertFalse(os.path.exists("s/golden/a.png"))
+        said = self.ask(TROUBLE, "regress", "s", "--golden", ".", "-o", "new.png").stderr
+        self.assertTrue(said.startswith("new.png: error: the page may not take the place"), said)
 
     def test_a_page_that_the_disk_has_no_room_for(self):
         put("p.html", "old")
@@ -716,6 +742,28 @@ class OnePage(Scenes):
             said = self.ask(DIFFERENT, "diff", "part", found["expected, enlarged"]).stdout
             self.assertIn(f" 1 of 576 pixels, by at most 100, box x={x - left} y={y - top} w=1 h=1",
                           said)
+
+    def test_what_is_enlarged_has_a_margin(self):
+        """Of 4 pixels round a wide box; what is most of the picture is not shown again."""
+        image = self.rendered("b")
+        for width, enlarged in ((20, True), (30, False)):
+            put("s/golden/b.png",
+                png(changed(changed(image, 10, 5, 100), 10 + width - 1, 5, 100)))
+            self.regress(TROUBLE, "-o", "p.html")
+            self.text = contents("p.html").decode()
+            found = self.sections()["b.rt"]
+            self.assertEqual("got, enlarged" in found, enlarged)
+            if enlarged:
+                put("part", ppm([row[6:34] for row in image[:24]]))
+                self.ask(SAME, "diff", "part", found["got, enlarged"])
+
+    def test_small_pictures_are_shown_enlarged(self):
+        for width, kind in ((479, "small"), (480, "large")):
+            self.ask(TROUBLE, "regress", "s", "--size", f"{width}x1", "--golden", "none", "-o",
+                     "p.html")
+            shown = {attrs["class"] for tag, attrs in Page(contents("p.html").decode()).found
+                     if tag == "img"}
+            self.assertEqual(shown, {kind})
 
     def test_what_is_said(self):
         for line in self.lines:
