@@ -13,6 +13,7 @@ import subprocess
 import sys
 import time
 import unittest
+import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import (InFolder, OUTPUT_FAILED, PROGRAM, SCENE, WRONG_USAGE,  # noqa: E402
@@ -160,6 +161,7 @@ class Pictures(Pieces):
         said = self.ask(WRONG_USAGE, "status", "other", "pieces")
         self.assertEqual(said.stdout, "1-2\n")
         self.assertIn("pieces/2.json: error: it has another words than other\n", said.stderr)
+        self.assertIn("\n0 of 2 pieces are done, 0.00 % of all\n", said.stderr)
         first, *rest = lines_of("pieces/1.json")
         for key, value in (("sources", "0" * 16), ("compiler", "cc 1"), ("flags", "-Ofast"),
                            ("architecture", "pdp11")):
@@ -236,20 +238,28 @@ class Pictures(Pieces):
             put("bad.json", whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
             self.refuse_merge(r"bad.json: error: .*", "bad.json", "pieces/2.json")
         head, ranges, told = lines_of("pieces/1.json")
-        behind = base64.b64encode(base64.b64decode(told["rgb"]) + b"x").decode()
+        packed = base64.b64decode(told["rgb"])
+        behind = base64.b64encode(packed + b"x").decode()
+        short = base64.b64encode(zlib.compress(zlib.decompress(packed)[:-3])).decode()
         for bad in ([head, {"ranges": [[0, 65]]}, told], [head, {"ranges": [[0, 133]]}, told],
                     [head, {"ranges": []}, told], [head, ranges], [head, ranges, {}],
+                    [head, {"ranges": [[0, 33], [33, 33]]}, told],
                     [head, ranges, {**told, "rgb": "====" + told["rgb"]}],
                     [head, ranges, told, told], [{}, ranges, told],
                     [head, ranges, {**told, "rgb": told["rgb"][:-4]}],
                     [head, ranges, {**told, "rgb": behind}],
+                    [head, ranges, {**told, "rgb": short}],
+                    [{**head, "more": 1}, ranges, told],
                     [{**head, "words": ["rm", "x"]}, ranges, told],
-                    [{**head, "words": ["render", 1]}, ranges, told]):
+                    [{**head, "words": ["render", 1]}, ranges, told],
+                    [{**head, "words": ["render", 1, "scene.rt"]}, ranges, told]):
             put("bad.json", sealed(bad))
             self.refuse_merge(r"(bad.json|surehit merge): error: .*", "bad.json", "pieces/2.json")
         put("bad.json", sealed([head, f'{{"ranges":[[0,66]],{json.dumps(ranges)[1:]}', told]))
         self.refuse_merge("bad.json: error: a name stands twice in one of its lines", "bad.json",
                           "pieces/2.json")
+        put("bad.json", sealed([head, {"ranges": [[0, 2 ** 56 + 1]]}, told]))
+        self.refuse_merge("bad.json: error: expected ranges, .*", "bad.json", "pieces/2.json")
         head, piece, *rest = lines_of("manifest")
         put("bad", sealed([head, {**piece, "ranges": [[131, 2]]}, *rest]))
         self.fail_with(WRONG_USAGE, "bad: error: piece 1: there are no such squares", "work", "bad",
@@ -258,6 +268,15 @@ class Pictures(Pieces):
         self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "1\n")
         self.ask(0, "work", "manifest", "1", "pieces")
         self.assertEqual(contents("pieces/1.json"), whole)
+
+    def test_claims_and_counts_of_other_squares(self):
+        self.work_all(1, *SMALL, "--certificate", "sum.cert")
+        head, ranges, told = lines_of("pieces/1.json")
+        for key in ("claims", "counts"):
+            for bad in (told[key][:-1], told[key] + told[key][:1]):
+                put("bad.json", sealed([head, ranges, {**told, key: bad}]))
+                self.refuse_merge("bad.json: error: expected .*", "bad.json")
+        self.succeed("merge", "pieces", "-o", "sum.ppm")
 
     def test_wrong_words(self):
         for complaint, words in (("missing '-o MANIFEST'", ("--pieces", "2", *SMALL)),
@@ -289,6 +308,16 @@ class Pictures(Pieces):
 
 class Ends(Pieces):
     """Of pieces, before they are done."""
+
+    def test_what_is_whole_but_no_result(self):
+        """It ended between the last square and the result."""
+        self.plan(1, *SMALL)
+        self.work([1])
+        whole = contents("pieces/1.json")
+        os.rename("pieces/1.json", "pieces/1.part")
+        self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "1\n")
+        self.work([1])
+        self.assertEqual(contents("pieces/1.json"), whole)
 
     def begin(self, *words):
         os.makedirs("cut", exist_ok=True)
