@@ -47,16 +47,31 @@ def sources():
     return found.hexdigest()[:16]
 
 
+def is_head(line):
+    return (isinstance(line, dict) and isinstance(line.get("surehit command"), list)
+            and all(isinstance(word, str) for word in line["surehit command"])
+            and type(line.get("pieces")) is int and line["pieces"] > 0)
+
+
+def is_piece(line, pieces):
+    return (isinstance(line, dict) and line.keys() == {"piece", "status", "said"}
+            and type(line["piece"]) is int and 1 <= line["piece"] <= pieces
+            and type(line["status"]) is int and line["status"] in (0, 1)
+            and isinstance(line["said"], str))
+
+
 def read(path):
     """Its lines, the last one but for its checksum."""
     try:
         text = pathlib.Path(path).read_text(encoding="utf-8")
         lines = [json.loads(line) for line in text.splitlines()]
-        whole = text == sealed(lines[:-1]) and {"surehit command", "pieces"} <= lines[0].keys()
-    except (OSError, ValueError, IndexError, AttributeError) as error:
+        whole = text == sealed(lines[:-1]) and is_head(lines[0])
+    except (OSError, ValueError, IndexError) as error:
         raise Wrong(f"{path}: {error}") from error
     if not whole:
         raise Wrong(f"{path}: is damaged, or of something else")
+    if not all(is_piece(line, lines[0]["pieces"]) for line in lines[1:-1]):
+        raise Wrong(f"{path}: has what is no piece")
     return lines[:-1]
 
 
@@ -103,7 +118,7 @@ def is_done(folder, number, head):
         return False
     if found and found != head:
         raise Wrong(f"{path}: is another plan's")
-    if found and [piece.get("piece") for piece in pieces] != [number]:
+    if found and [piece["piece"] for piece in pieces] != [number]:
         raise Wrong(f"{path}: is no result of piece {number}")
     return bool(found)
 
@@ -155,11 +170,6 @@ def parts_of(given):
     return [os.path.join(given, name) for name in names]
 
 
-def is_piece(line, pieces):
-    return (line.keys() == {"piece", "status", "said"} and line["piece"] in range(1, pieces + 1)
-            and line["status"] in (0, 1) and isinstance(line["said"], str))
-
-
 def merge(options):
     head, pieces = None, {}
     for path in (path for given in options.given for path in parts_of(given)):
@@ -172,8 +182,6 @@ def merge(options):
             if head.get(key) != first.get(key):
                 raise Wrong(f"{path}: has another {key} than {where}")
         for piece in rest:
-            if not is_piece(piece, head["pieces"]):
-                raise Wrong(f"{path}: has what is no piece")
             if piece["piece"] in pieces:
                 raise Wrong(f"{path}: piece {piece['piece']} is in another file, too")
             pieces[piece["piece"]] = piece

@@ -34,13 +34,25 @@ def run(*words, ok=(0,)):
 
 
 def ranges(words):
-    """[(first, last)] of what --array takes."""
+    """[(first, last)] of what --array takes.
+
+    >>> ranges("1,4-6\\n"), ranges("\\n")
+    ([(1, 1), (4, 6)], [])
+    """
     pairs = [pair.partition("-") for pair in words.strip().split(",") if pair]
     return [(int(first), int(last or first)) for first, _, last in pairs]
 
 
 def array_of(missing, most):
-    """Of the first ones that fit: what is to be added to a task's number, and --array."""
+    """Of the first ones that fit: what is to be added to a task's number, and --array.
+
+    >>> array_of([(4, 6), (9, 12), (14, 14)], 31)
+    (4, '0-2,5-8,10-10')
+    >>> array_of([(4, 6), (9, 12), (14, 14)], 7)
+    (4, '0-2,5-6')
+    >>> array_of([(4, 6), (9, 12), (14, 14)], 5)
+    (4, '0-2')
+    """
     offset = missing[0][0]
     fit = [(first - offset, min(last - offset, most - 1))
            for first, last in missing if first - offset < most]

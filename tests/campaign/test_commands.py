@@ -115,12 +115,16 @@ class Commands(InFolder):
             self.refuse("moved/1.json: is no result of piece 1", *way)
         head, piece = lines_of("done/2.json")
         for bad in ({}, {**piece, "piece": 3}, {**piece, "piece": "2"}, {**piece, "status": 2},
-                    {**piece, "more": 1}):
+                    {**piece, "more": 1}, {**piece, "piece": True}, {**piece, "status": 0.0}, 7,
+                    [1]):
             put("bad", sealed([head, bad]))
-            self.refuse("bad: has what is no piece", "merge", "bad", "-o", "sum")
-        for bad in ([{"surehit command": ["ls"]}], [[]], [7, 8]):
+            for way in (["merge", "bad", "-o", "sum"], ["said", "bad"]):
+                self.refuse("bad: has what is no piece", *way)
+        for bad in ([{"surehit command": ["ls"]}], [[]], [7, 8], [{**head, "pieces": "2"}, piece],
+                    [{**head, "surehit command": 5}, piece]):
             put("bad", sealed(bad))
-            self.refuse("bad", "merge", "bad", "-o", "sum")
+            for way in (["merge", "bad", "-o", "sum"], ["work", "bad", "1", "done"]):
+                self.refuse("bad: is damaged, or of something else", *way)
         self.refuse("m: piece 3: has no such piece", "work", "m", "3", "done")
         self.succeed("plan", "--pieces", "1", "-o", "dashes", "--", "echo", "{piece}")
         self.work("dashes", "of_dashes", [1])
