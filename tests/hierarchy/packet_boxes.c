@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "packet_boxes.h"
 
+#ifdef BOXES_TOGETHER
 #include "../../src/hierarchy/bvh_row.h"
 
 #include "../../src/shapes/lanes/lanes.h"
@@ -18,3 +19,4 @@ unsigned packet_boxes_met(const sure_bvh_node *node, int k, boxes_column *rays,
     const unsigned at_all = bvh_packet_meets(node, k, &probe, endless, enter);
     return together & met & at_all & bvh_packet_before(&probe, enter, t_max);
 }
+#endif

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* What a packet is told of boxes, by the headers of src, two rays side by side: as many as every
- * processor has. */
+ * processor has that knows packets. */
 #pragma once
 
 #include <surehit/bvh.h>
+
+#if defined SURE_LANES_X86 || defined SURE_LANES_2
+#define BOXES_TOGETHER /* where there are packets */
+#endif
 
 enum { BOXES_PACKET = 8 };
 

@@ -170,6 +170,7 @@ typedef struct {
 
 static void walk_together(walk *w)
 {
+#ifdef BOXES_TOGETHER
     const double numbers[] = {w->ray.origin.x,    w->ray.origin.y,    w->ray.origin.z,
                               w->ray.direction.x, w->ray.direction.y, w->ray.direction.z,
                               w->ray.t_min};
@@ -181,6 +182,9 @@ static void walk_together(walk *w)
         endless[i] = INFINITY;
     }
     w->together = packet_boxes_met(&w->node, w->child, rays, t_max, endless);
+#else
+    w->together = w->meets[w->child] ? 0xff : 0;
+#endif
 }
 
 /* With t_max known, and found out later. */
