@@ -65,6 +65,7 @@
 #define packet_walks_4 surehit_packet_walks_4
 #define packet_walks_8 surehit_packet_walks_8
 #define packet_walks_here surehit_packet_walks_here
+#define part_plane_side surehit_part_plane_side
 #define plane_rounded_hit surehit_plane_rounded_hit
 #define plane_row surehit_plane_row
 #define plane_surface_row surehit_plane_surface_row

@@ -77,7 +77,7 @@ static const sure_surface_point *towards(const tracing *t, sight *s, const sure_
     if (!s->lights)
         return NULL;
     *intensity = sure_light_intensity_textbook(s->at.point, s->at.normal, light->position);
-    if (!(*intensity > 0))
+    if (!meeting_faces(t, &s->at, light->position, *intensity))
         return NULL;
     const sure_surface_point *from = leave(t, &s->at, &s->seen);
     s->lights = from != NULL;

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../numbers/sums.h"
+#include "../numbers/valid.h"
+#include "../shapes/capped/height.h"
 #include "../stages/hits/surface.h"
 #include "../stages/rows.h"
 
@@ -36,6 +38,18 @@ void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point 
         .part = hit.part,
         .flat_box = flat_box,
     };
+}
+
+bool meeting_faces(const tracing *t, const meeting *at, sure_vec3 light, double intensity)
+{
+    const shape_row *row = row_of(at->object);
+    part_plane plane;
+    if (!is_sure(t->tier) || !row->surface->plane ||
+        !row->surface->plane(&at->object->as, at->part, &plane))
+        return intensity > 0;
+    int side = part_plane_side(plane.from, plane.to, plane.at, light);
+    return (at->side == SURE_SIDE_INSIDE ? side < 0 : side > 0) &&
+           direction_ok(difference_of(light, at->point));
 }
 
 static bool is_sheet(const meeting *at)

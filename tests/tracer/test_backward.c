@@ -52,6 +52,73 @@ LOOP_TEST(test_light, SURE_TIERS)
     ck_seen(scene, {0, 0, 0});
 }
 
+enum { LAMP_SIZE = 24 };
+
+/* How many pixels that see the part have a highlight, out of how many. */
+static int lit_of(const sure_object *floor, sure_part part, sure_vec3 lamp, sure_tier tier, int *of)
+{
+    const sure_material shiny = {.specular = 1, .shine = 0}; /* black but for the highlight */
+    const sure_light light = {lamp, {1, 1, 1}, 1};
+    sure_scene scene = looking(floor, &shiny, 1, &light, 1);
+    int lit = *of = 0;
+    scene.width = scene.height = LAMP_SIZE;
+    for (int row = 0; row < LAMP_SIZE; row++) {
+        int column[LAMP_SIZE], rows[LAMP_SIZE];
+        sure_vec3 seen[LAMP_SIZE];
+        for (int i = 0; i < LAMP_SIZE; i++) {
+            column[i] = i;
+            rows[i] = row;
+        }
+        sure_backward_pixels(&scene, tier, LAMP_SIZE, column, rows, seen);
+        for (int i = 0; i < LAMP_SIZE; i++) {
+            const sure_ray ray = sure_scene_pixel_ray(&scene, i, row);
+            sure_nearest nearest;
+            if (sure_backward_nearest(&scene, tier, &ray, NULL, &nearest) != SURE_HIT ||
+                nearest.hit.part != part)
+                continue;
+            lit += seen[i].x > 0;
+            *of += 1;
+        }
+    }
+    return lit;
+}
+
+/* A lamp in a flat part's own plane gives nothing, not even a highlight, wherever the points that
+ * are seen are rounded to; the least above it gives the highlight that one well above gives. */
+TEST(test_lamp_in_the_plane)
+{
+    const sure_vec3 foot = {-1, -8, -7}, head = {0, -1, -4};
+    const sure_vec3 level = {0.25, -0.3, -7.75}, slanting = {7, -2, -4};
+    const struct {
+        sure_object floor;
+        sure_part part;
+        sure_vec3 lamp;
+    } of[] = {
+        {plane(0, -0.3, 0, 0, 1, 0), SURE_PART_SURFACE, level},
+        {plane(0, -0.3, 0, 0, -1, 0), SURE_PART_SURFACE, level},
+        {plane(0, -1, -4, 1, 7, 3), SURE_PART_SURFACE, slanting},
+        {{SURE_SHAPE_DISC, {.disc = {head, {1, 7, 3}, 3}}}, SURE_PART_SURFACE, slanting},
+        {{SURE_SHAPE_CYLINDER, {.cylinder = {foot, head, 3}}}, SURE_PART_TOP, slanting},
+        {{SURE_SHAPE_CONE, {.cone = {head, foot, 3}}}, SURE_PART_BASE, slanting},
+        {{SURE_SHAPE_BOX, {.box = {{-2, -5, -9}, {2, -0.3, -1}}}}, SURE_PART_Y_MAX, level},
+        {{SURE_SHAPE_BOX, {.box = {{-9, -0.3, -9}, {9, 9, 9}}}}, SURE_PART_Y_MIN, level},
+    };
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        for (sure_tier tier = SURE_TIER_CERTAIN; tier <= SURE_TIER_EXACT; tier++) {
+            sure_vec3 above = of[k].lamp, below = above, high = above;
+            int seen;
+            above.y = nextafter(above.y, 1);
+            below.y = nextafter(below.y, -9);
+            high.y += 0x1p-30;
+            ck_assert_int_eq(lit_of(&of[k].floor, of[k].part, of[k].lamp, tier, &seen), 0);
+            ck_assert_int_eq(lit_of(&of[k].floor, of[k].part, below, tier, &seen), 0);
+            int lit = lit_of(&of[k].floor, of[k].part, above, tier, &seen);
+            ck_assert_int_eq(lit, lit_of(&of[k].floor, of[k].part, high, tier, &seen));
+            ck_assert(LAMP_SIZE < lit && lit <= seen);
+        }
+    }
+}
+
 /* The lamps add up. */
 LOOP_TEST(test_two_lights, SURE_TIERS)
 {

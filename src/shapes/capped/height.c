@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The heights of cylinder and cone for certain and exact. One answer is right, so both tiers have
- * it. docs/proofs/height.md */
+/* The heights of cylinder and cone for certain and exact, and the sides of any plane. One answer is
+ * right, so both tiers have it. docs/proofs/height.md */
+#include "height.h"
 #include "height_filter.h"
 #include "../../numbers/ddb.h"
 #include "../../numbers/environment.h"
@@ -46,6 +47,12 @@ static int sign_of(const height_query *q)
         return value > 0 ? 1 : -1;
     TO_NEAREST(known, closely(q, &sign));
     return known ? sign : exactly(q);
+}
+
+int part_plane_side(sure_vec3 from, sure_vec3 to, sure_vec3 at, sure_vec3 p)
+{
+    assert(all_finite(from) && all_finite(to) && all_finite(at) && all_finite(p));
+    return sign_of(&(height_query){from, to, p, at, 0, false});
 }
 
 int sure_cylinder_height_certain(sure_vec3 point, const sure_cylinder *cylinder)
