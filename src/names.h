@@ -110,6 +110,7 @@
 #define tangent_order surehit_tangent_order
 #define tangent_polish surehit_tangent_polish
 #define visible_any surehit_visible_any
+#define visible_is_at_light surehit_visible_is_at_light
 #define wide_add surehit_wide_add
 #define wide_div surehit_wide_div
 #define wide_mul surehit_wide_mul

@@ -44,7 +44,7 @@ bool meeting_faces(const tracing *t, const meeting *at, sure_vec3 light, double 
 {
     const shape_row *row = row_of(at->object);
     part_plane plane;
-    if (!is_sure(t->tier) || !row->surface->plane ||
+    if (!is_sure(t->tier) || !(at->material->specular > 0) || !row->surface->plane ||
         !row->surface->plane(&at->object->as, at->part, &plane))
         return intensity > 0;
     int side = part_plane_side(plane.from, plane.to, plane.at, light);

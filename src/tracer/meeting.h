@@ -33,7 +33,8 @@ void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point 
                 const sure_nearest *nearest, meeting *at);
 
 /* Is the light on the side that is seen, and its direction known? By the plane of a flat part in
- * the tiers that are sure; else by the intensity, which is that of the rounded point. */
+ * the tiers that are sure, where a highlight, which does not fade towards that plane, would show a
+ * mistake; else by the intensity, which is that of the rounded point. */
 bool meeting_faces(const tracing *t, const meeting *at, sure_vec3 light, double intensity);
 
 /* Where further rays start, on the side that is seen or the other one; false where there is no

@@ -17,10 +17,11 @@ enum { PACKET = 8, PACKET_LEAST = 2 };
 #endif
 
 /* Ray i < count is the numbers i; leaving: of each the surface point that it comes from, or NULL.
- * One is begun with count 0. */
+ * One is begun with count 0 and its light. */
 typedef struct {
     double origin[3][PACKET], direction[3][PACKET], t_min[PACKET], t_max[PACKET];
     const sure_surface_point *leaving[PACKET];
+    const sure_vec3 *light; /* that all lead to, or NULL */
     size_t count;
 } PACKET_ALIGNED packet;
 

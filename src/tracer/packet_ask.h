@@ -36,10 +36,20 @@ static inline unsigned packet_lowest(unsigned mask)
     return (unsigned)__builtin_ctz(mask);
 }
 
+static bool packet_at_light(const packet_search *s, unsigned i, size_t object)
+{
+    const sure_ray ray = packet_ray(s->rays, i);
+    return visible_is_at_light(s->scene, SURE_TIER_CERTAIN, &ray, s->rays->leaving[i],
+                               s->rays->light, object);
+}
+
 static inline void packet_keep(packet_search *s, unsigned i, size_t object, const sure_hit *hit)
 {
     const unsigned bit = 1U << i;
     if (!s->nearest) {
+        if (visible_may_be_at_light(s->rays->light, SURE_TIER_CERTAIN, hit) &&
+            packet_at_light(s, i, object))
+            return;
         s->open &= ~bit;
     } else {
         const sure_ray ray = packet_ray(s->rays, i);
@@ -145,7 +155,7 @@ static inline void packet_rest(packet_search *s, unsigned alone)
         sure_status met =
             s->nearest
                 ? sure_backward_nearest(s->scene, SURE_TIER_CERTAIN, &ray, leaving, &s->nearest[i])
-                : visible_any(s->scene, SURE_TIER_CERTAIN, &ray, leaving, &unused);
+                : visible_any(s->scene, SURE_TIER_CERTAIN, &ray, leaving, s->rays->light, &unused);
         s->found |= (unsigned)(met == SURE_HIT) << i;
     }
 }
@@ -184,6 +194,7 @@ static inline packet_view packet_begin_pixels(const sure_scene *scene, size_t co
 {
     const sure_camera *camera = &scene->camera;
     rays->count = 0;
+    rays->light = NULL;
     assert(count > 0 && count <= PACKET && pixel_scales_ok(camera));
     for (size_t i = 0; i < PACKET; i++) {
         const int64_t x = column[i < count ? i : 0], y = row[i < count ? i : 0];

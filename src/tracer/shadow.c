@@ -19,7 +19,7 @@ bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 
                     .direction = {light_position.x - x, light_position.y - y, light_position.z - z},
                     .t_max = before_light(t->tier)};
     size_t blocking = 0;
-    sure_status met = visible_any(t->scene, t->tier, &ray, from, &blocking);
+    sure_status met = visible_any(t->scene, t->tier, &ray, from, &light_position, &blocking);
     statistics_ray(t, SURE_RAY_SHADOW, &ray, from, met, blocking);
     return met != SURE_HIT;
 }
@@ -31,6 +31,7 @@ unsigned shadow_reach(const tracing *t, const sure_surface_point *const *from, s
     packet rays;
     if (t->together && count >= PACKET_LEAST) {
         rays.count = 0;
+        rays.light = &light_position;
         for (size_t i = 0; i < count; i++) {
             const sure_vec3 way = difference_of(light_position, from[i]->point);
             packet_add(&rays, &from[i]->point, &way, 0, before_light(t->tier), from[i]);

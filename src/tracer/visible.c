@@ -2,6 +2,10 @@
 #include "visible.h"
 
 #include "../hierarchy/bvh_walk.h"
+#include "../numbers/environment.h"
+#include "../stages/query.h"
+#include "../stages/rows.h"
+#include "meeting.h"
 
 #include <surehit/backward.h>
 
@@ -10,6 +14,7 @@ typedef struct {
     sure_tier tier;
     const sure_surface_point *leaving;
     const sure_ray *ray;
+    const sure_vec3 *light;        /* that the ray leads to, or NULL */
     const sure_float_ray *rounded; /* for the scene's floats; NULL: its objects are asked */
     double farthest; /* as far as the nearest so far: what lies beyond is of no interest */
     sure_status found;
@@ -38,6 +43,28 @@ static INLINED bool meets(const search *s, size_t object, sure_hit *hit)
     return visible_meets(s->scene, s->tier, s->ray, s->leaving, object, hit);
 }
 
+static int side_of_light(const sure_object *object, sure_vec3 light)
+{
+    const shape_row *row = row_of(object);
+    bool known;
+    int side;
+    TO_NEAREST(known, query_side(row, &object->as, light, &side));
+    return known ? side : query_side_exact(row, &object->as, light);
+}
+
+/* From a light on a convex surface the way back either enters the solid or never meets it. */
+bool visible_is_at_light(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                         const sure_surface_point *leaving, const sure_vec3 *light, size_t object)
+{
+    const sure_vec3 d = ray->direction;
+    const sure_ray back = {*light, {-d.x, -d.y, -d.z}, in_front(tier), 1};
+    const int side = side_of_light(&scene->objects[object], *light);
+    sure_hit unused;
+    if (leaving && leaving->object == object)
+        return side <= 0;
+    return side == 0 && sure_object_hit(&back, &scene->objects[object], tier, &unused) != SURE_HIT;
+}
+
 static bool keep_nearest(search *s, size_t object)
 {
     sure_hit hit;
@@ -54,8 +81,10 @@ static bool keep_nearest(search *s, size_t object)
 
 static INLINED bool stop_at_any(search *s, size_t object)
 {
-    sure_hit unused;
-    if (!meets(s, object, &unused))
+    sure_hit hit;
+    if (!meets(s, object, &hit) ||
+        (visible_may_be_at_light(s->light, s->tier, &hit) &&
+         visible_is_at_light(s->scene, s->tier, s->ray, s->leaving, s->light, object)))
         return false;
     s->found = SURE_HIT;
     s->nearest.object = object;
@@ -151,10 +180,12 @@ BVH_WIDE sure_status sure_backward_nearest(const sure_scene *scene, sure_tier ti
 }
 
 BVH_WIDE sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                 const sure_surface_point *leaving, size_t *object)
+                                 const sure_surface_point *leaving, const sure_vec3 *light,
+                                 size_t *object)
 {
     sure_float_ray room;
     search s = search_of(scene, tier, ray, leaving, &room);
+    s.light = light;
     if (ask_all(&s, (asking){stop_at_any, false}))
         *object = s.nearest.object;
     return s.found;

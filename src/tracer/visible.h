@@ -13,9 +13,23 @@ static inline bool is_sure(sure_tier tier)
     return tier == SURE_TIER_CERTAIN || tier == SURE_TIER_EXACT;
 }
 
-/* Any object that the ray meets, as sure_backward_nearest: SURE_HIT and *object, or SURE_MISS. */
+/* Any object that the ray meets, as sure_backward_nearest: SURE_HIT and *object, or SURE_MISS. The
+ * light that the ray leads to (NULL: none) may lie on an object, which is not met there. */
 sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                        const sure_surface_point *leaving, size_t *object);
+                        const sure_surface_point *leaving, const sure_vec3 *light, size_t *object);
+
+/* The way to the light, its direction rounded, meets the object. Does it only come to the light,
+ * which lies on the object (or within the one that it leaves from inside)? In the tiers that are
+ * sure. */
+bool visible_is_at_light(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                         const sure_surface_point *leaving, const sure_vec3 *light, size_t object);
+
+/* Is that to be asked? No rounding leads to the light in the first half. */
+static inline bool visible_may_be_at_light(const sure_vec3 *light, sure_tier tier,
+                                           const sure_hit *hit)
+{
+    return light && is_sure(tier) && hit->t > 0.5;
+}
 
 /* Does the ray meet the object? Along the whole ray: how well t is known may depend on where a ray
  * ends, and the answer must not depend on which object was asked before. */

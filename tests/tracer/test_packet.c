@@ -108,7 +108,7 @@ static void check_packet(const stage *on, packet *rays, const sure_ray *alone)
         ck_assert_int_eq(status == SURE_HIT, met >> i & 1);
         ck_assert(status != SURE_HIT || same_hit(&nearest, &together[i]));
         ck_assert_int_eq(visible_any(&on->scene, SURE_TIER_CERTAIN, &alone[i], rays->leaving[i],
-                                     &object) == SURE_HIT,
+                                     NULL, &object) == SURE_HIT,
                          any >> i & 1);
         tally(rays, i, status, &nearest);
     }

@@ -64,4 +64,58 @@ LOOP_TEST(test_laws, SURE_TIERS)
     ck_assert_int_gt(shaded, 100);
 }
 
+/* A light on a curved surface, or on a plane across no axis: it lights what is before the surface's
+ * tangent plane there and, of a solid, nothing behind; from within it lights all. The way's rounded
+ * direction leads past it. */
+TEST(test_light_on_surface)
+{
+    const sure_vec3 apex = {0, 0, 5}, none = {0, 0, 0};
+    const struct {
+        sure_object object;
+        sure_vec3 light, outward;
+        bool solid;
+    } of[] = {
+        {sphere(-1, 0, 2, 1.5), {-0.5, 1, 1}, {1, 2, -2}, true},
+        {{SURE_SHAPE_CYLINDER, {.cylinder = {none, apex, 5}}}, {3, 4, 1.25}, {3, 4, 0}, true},
+        {{SURE_SHAPE_CONE, {.cone = {none, apex, 5}}}, {1.5, 2, 2.5}, {3, 4, 5}, true},
+        {{SURE_SHAPE_PLANE, {.plane = {{0, -1, -4}, {1, 7, 3}}}}, {7, -2, -4}, none, false},
+        {{SURE_SHAPE_DISC, {.disc = {{0, -1, -4}, {1, 7, 3}, 9}}}, {7, -2, -4}, none, false},
+    };
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        const sure_object objects[] = {of[k].object, ground};
+        int lit = 0, shaded = 0;
+        for (int i = 0; i < 2 * 2000; i++) {
+            const sure_tier tier = i % 2 ? SURE_TIER_EXACT : SURE_TIER_CERTAIN;
+            const uint64_t draw = (uint64_t)i / 2;
+            const sure_vec3 way = suite_doubles(1, draw, 0);
+            const sure_vec3 far = times(12 / sqrt(dot(way, way)), way);
+            const sure_surface_point from = {.object = 1, .point = far};
+            const sure_vec3 back = plus(far, times(-1, of[k].light));
+            const bool before = !of[k].solid || dot(of[k].outward, back) > 0;
+            ck_assert_int_eq(reaches(tier, objects, 2, from, of[k].light), before);
+            lit += before;
+            shaded += !before;
+        }
+        ck_assert(lit > 1000 && (!of[k].solid || shaded > 1000));
+    }
+}
+
+/* What is seen from within by a light on the wall. */
+TEST(test_light_on_wall)
+{
+    const sure_vec3 foot = {0, 0, 0}, head = {0, 0, 5};
+    const sure_object objects[] = {sphere(0, 0, 0, 5),
+                                   {SURE_SHAPE_CYLINDER, {.cylinder = {foot, head, 5}}},
+                                   {SURE_SHAPE_CONE, {.cone = {foot, head, 5}}}};
+    const sure_vec3 lights[] = {{0, 3, 4}, {3, 4, 1.25}, {1.5, 2, 2.5}};
+    for (int i = 0; i < 2 * 3 * 2000; i++) {
+        const sure_tier tier = i % 2 ? SURE_TIER_EXACT : SURE_TIER_CERTAIN;
+        const int k = i / 2 % 3;
+        const sure_vec3 off = suite_doubles(1, (uint64_t)i / 6, 0);
+        const sure_surface_point from = {
+            .object = 0, .point = {off.x, off.y, 1.5 + off.z}, .inside = 1};
+        ck_assert(reaches(tier, &objects[k], 1, from, lights[k]));
+    }
+}
+
 SUITE("shadow")
