@@ -75,6 +75,32 @@ class Sums(Pieces):
         for line in pairs:
             self.assertEqual([first for first, _ in line["ranges"]], [0])
 
+    def test_after_a_gap(self):
+        """It begins behind all that was done, and not in what is missing."""
+        pair = ("--against", "exact", "--shape", "plane", "--regime", "typical")
+        self.plan("gap", *pair, "--cases", "300", "--pieces", "3")
+        self.work("gap", "of_gap", [1, 3])
+        self.succeed("merge", "of_gap", "-o", "some")
+        self.assertEqual(len(lines_of("some")[1]["ranges"]), 2)
+        self.plan("more", *pair, "--cases", "9", "--pieces", "1", "--after", "some")
+        self.assertEqual(lines_of("more")[1]["cases"][0]["ranges"], [[300, 9]])
+        self.complain("no: error: more cases than there are", "plan", *pair, "--cases",
+                      str(2 ** 56), "--after", "some", "-o", "no")
+
+    def test_what_a_plan_says(self):
+        """As many cases of each pair, but a sixth where they take long; and pieces that take no
+        more than they should, by its own count."""
+        self.plan("timed", *SMALL, "--seconds", "0.01")
+        pieces, cases = lines_of("timed")[1:], collections.Counter()
+        for pair in itertools.chain.from_iterable(piece["cases"] for piece in pieces):
+            cases[pair["shape"], pair["regime"]] += sum(many for _, many in pair["ranges"])
+        long = {("cone", "bits"), ("cone", "degenerate")}
+        usual = cases["plane", "bits"]
+        self.assertEqual({pair for pair, many in cases.items() if many != usual}, long)
+        self.assertEqual({cases[pair] for pair in long}, {math.ceil(usual / 6)})
+        seconds = sum(piece["seconds"] for piece in pieces)
+        self.assertTrue((len(pieces) - 2) * 0.01 < seconds < (len(pieces) + 1) * 0.01, seconds)
+
     def test_twice_is_once(self):
         self.whole()
         made = os.stat("of_one/1.json").st_mtime_ns
@@ -128,6 +154,27 @@ class Ends(Pieces):
         self.work("long", "cut", [1])
         self.assertEqual(contents("cut/1.json"), contents("left/1.json"))
         self.assertEqual([name for name in os.listdir("cut") if name[0] != "."], ["1.json"])
+
+    def test_what_is_whole_but_no_result(self):
+        """It ended between the last case and the result."""
+        whole = self.whole()
+        os.rename("of_one/1.json", "of_one/1.part")
+        self.assertEqual(self.ask(MISSING, "status", "one", "of_one").stdout, "1\n")
+        self.work("one", "of_one", [1])
+        self.assertEqual(contents("of_one/1.json"), whole)
+
+    def test_an_end_names_its_case(self):
+        self.plan("long", "--cases", "1e8", "--against", "exact", "--pieces", "1", "--shape",
+                  "cone", "--regime", "rim")
+        for number, what in (signal.SIGSEGV, "a crash"), (signal.SIGXCPU, "no end"):
+            with self.begin("--keep", "0.002") as running:
+                while not os.path.exists("cut/1.part"):
+                    time.sleep(0.002)
+                running.send_signal(number)
+                said = running.stderr.read()
+            self.assertRegex(said, rf"\Apiece 1: {what} in case \d+ of cone rim\n\Z")
+            self.assertEqual(running.returncode, -number)
+            os.unlink("cut/1.part")
 
     def test_the_limit_is_of_the_processor(self):
         self.plan("long", "--cases", "1e8", "--against", "exact", "--pieces", "1")
@@ -191,6 +238,41 @@ class Refused(Pieces):
         self.assertTrue(result.stdout.startswith("a case\n  t\n  certain hit\n  exact   miss\n"))
         self.assertIn("; 1 broken promises\n", result.stdout)
         self.assertEqual(lines_of("sum")[-1], broken)
+        put("bad", sealed([lines[0], pair, *lines[2:],
+                           {**broken, "index": sum(pair["ranges"][0])}]))
+        self.complain("bad: error: a broken promise is of a case that was not asked", "merge",
+                      "bad", "-o", "sum")
+
+    def test_broken_promises_stand_by_their_cases(self):
+        """Whichever file they are in."""
+        self.plan("three", "--cases", "9", "--against", "exact", "--shape", "plane", "--regime",
+                  "typical", "--pieces", "3")
+        self.work("three", "of_three", [1, 2, 3])
+        names = [f"of_three/{number}.json" for number in (1, 2, 3)]
+        for name in names:
+            head, pair, *rest = lines_of(name)
+            broken = {"shape": "plane", "regime": "typical", "index": pair["ranges"][0][0],
+                      "case": name, "promise": "t", "certain": "hit", "exact": "miss"}
+            pair["counts"]["broken"] = 1
+            put(name, sealed([head, pair, *rest, broken]))
+        for order in itertools.permutations(names):
+            said = self.ask(BROKEN, "merge", *order, "-o", "sum").stdout
+            self.assertEqual(re.findall("(?m)^of_three.*", said), names)
+        put("again", contents(names[1]))
+        self.complain("again: error: cases 3 to 5 of plane typical are in of_three/2.json, too",
+                      "merge", *names, "again", "-o", "sum")
+
+    def test_hits_alone_are_no_campaign(self):
+        """Of enough cases, that is, a regime that misses its aim is told."""
+        self.whole()
+        lines = lines_of("whole")
+        pair, none = lines[1], dict.fromkeys(lines[1]["counts"], 0)
+        for many, kind, status in ((1000, "hits", BROKEN), (1000, "misses", BROKEN),
+                                   (999, "hits", 0)):
+            counts = {**none, "cases": many, kind: many}
+            put("bad", sealed([lines[0], {**pair, "ranges": [[0, many]], "counts": counts}]))
+            said = self.ask(status, "merge", "bad", "-o", "sum").stdout
+            self.assertEqual("\nplane camera: hits or misses alone\n" in said, status == BROKEN)
 
     def test_what_does_not_belong_together(self):
         whole = self.whole()
@@ -206,6 +288,9 @@ class Refused(Pieces):
         self.complain("older: error: is for another program than this one: it has another sources",
                       "work", "older", "1", "of_one")
         self.complain("one: error: piece 2: has no such piece", "work", "one", "2", "of_one")
+        put("idle", sealed([head[0], {**head[1], "cases": []}]))
+        self.complain("idle: error: piece 1: expected pieces with cases", "work", "idle", "1",
+                      "of_idle")
         self.plan("two", *SMALL, "--pieces", "2")
         self.complain("no: error: the shape has no such regime", "plan", *SMALL, "--shape", "plane",
                       "--regime", "rim", "-o", "no")
@@ -347,6 +432,19 @@ class Floats(Pieces):
         self.assertRegex(said, "^1 cases: 1 hit, .* 0 broken promises")
 
 
+class Tables(Pieces):
+    def test_each_count_of_the_record(self):
+        self.whole()
+        self.succeed("table", "whole", "-o", "table.csv")
+        with open("table.csv", encoding="ascii") as file:
+            self.assertEqual(next(file), "seed,1\n")
+            rows = list(csv.DictReader(file))
+        pairs = [line for line in lines_of("whole") if "ranges" in line]
+        for row, pair in zip(rows, pairs, strict=True):
+            self.assertEqual(row, {"shape": pair["shape"], "regime": pair["regime"],
+                                   **{name: str(many) for name, many in pair["counts"].items()}})
+
+
 class Worst(Pieces):
     def test_bits_by_fractions(self):
         self.whole()
@@ -362,6 +460,11 @@ class Worst(Pieces):
             counted[row["shape"], row["question"]] += 1
         self.assertEqual(set(counted.values()), {10})
         self.assertEqual(len(counted), 14)
+        calls = [[line["shape"], line["question"], str(bits), regime, str(index)]
+                 for line in lines_of("whole") if "worst" in line
+                 for bits, regime, index in line["worst"]]
+        names = ("shape", "question", "bits", "regime", "index")
+        self.assertEqual([[row[name] for name in names] for row in rows], calls)
 
     def test_other_bits_are_refused(self):
         self.whole()

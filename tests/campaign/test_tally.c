@@ -60,4 +60,36 @@ TEST(what_is_wrong)
     ck_assert_mem_eq(&missed, &none, sizeof none);
 }
 
+/* Each status is counted as what it is, and each count bears its member's name. */
+TEST(counts_and_their_names)
+{
+    static const sure_status seen[] = {SURE_HIT,     SURE_MISS,    SURE_MISS,
+                                       SURE_INVALID, SURE_INVALID, SURE_INVALID};
+    static const struct {
+        const char *name;
+        size_t at;
+    } named[] = {{"cases", offsetof(pair_tally, cases)},
+                 {"hits", offsetof(pair_tally, hits)},
+                 {"misses", offsetof(pair_tally, misses)},
+                 {"invalid", offsetof(pair_tally, invalid)},
+                 {"normals", offsetof(pair_tally, normals)},
+                 {"intervals", offsetof(pair_tally, intervals)},
+                 {"spawns", offsetof(pair_tally, spawns)},
+                 {"no_outside", offsetof(pair_tally, no_outside)},
+                 {"no_inside", offsetof(pair_tally, no_inside)},
+                 {"out_of_cap", offsetof(pair_tally, out_of_cap)},
+                 {"broken", offsetof(pair_tally, broken)},
+                 {"float32_false_hits", offsetof(pair_tally, tiers[0].false_hits)},
+                 {"stable_false_misses", offsetof(pair_tally, tiers[2].false_misses)},
+                 {"certain_wrong_validity", offsetof(pair_tally, tiers[3].wrong_validity)},
+                 {"certain_ulps_4", offsetof(pair_tally, tiers[3].ulps[2])},
+                 {"exact_exact", offsetof(pair_tally, tiers[4].stages[SURE_STAGES - 1])}};
+    pair_tally sum = {0};
+    for (size_t i = 0; i < sizeof seen / sizeof *seen; i++)
+        tally_truth_seen(&sum, seen[i]);
+    ck_assert(sum.cases == 6 && sum.hits == 1 && sum.misses == 2 && sum.invalid == 3);
+    for (size_t i = 0; i < sizeof named / sizeof *named; i++)
+        ck_assert_str_eq(tally_count_name((int)(named[i].at / sizeof(uint64_t))), named[i].name);
+}
+
 SUITE("tally")
