@@ -34,8 +34,8 @@ static void expect_told(const char *line, const char *what, int times)
     ck_assert_uint_eq(sum.broken, (uint64_t)times);
 }
 
-static sure_status later(const sure_ray *ray, const sure_object *object, double *t,
-                         sure_part *part, sure_vec3 *normal)
+static sure_status later(const sure_ray *ray, const sure_object *object, double *t, sure_part *part,
+                         sure_vec3 *normal)
 {
     sure_status status = truth_by_exact.hit(ray, object, t, part, normal);
     *t = nextafter(*t, INFINITY);

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import time
 import unittest
+from unittest import mock
 import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
@@ -400,6 +401,8 @@ class Photons(Pieces):
         head, ranges, told = lines_of("pieces/1.json")
         put("other.json", sealed([head, {"ranges": [[20000, 10000]]}, told]))
         self.refuse_merge("other.json: error: its share is of others", "pieces", "other.json")
+        put("less.json", sealed([head, {"ranges": [[0, 9999]]}, told]))
+        self.refuse_merge("less.json: error: its share is of others", "less.json")
 
 
 class Judgements(Pieces):
@@ -422,6 +425,24 @@ class Judgements(Pieces):
                 self.assertEqual(contents("sum.json"), contents("one.json"))
             for name in names:
                 os.unlink(name)
+
+    def test_examples_of_every_kind(self):
+        """Of crashes, garbage, both ends of chords and walls: cases, answers and what is right are
+        those of one process."""
+        line = ("--count", "60", "--shape", "cylinder", "--regime", "typical", "--require",
+                "decisions,contract,t<=2ulp", "--sarif", "it.sarif")
+        for name, wrong in (("one.so", "exits"), ("program", "garbage"), ("others.so", "3 ulps"),
+                            ("walls.so", "part")):
+            path = os.path.join(os.path.dirname(CANDIDATE), name)
+            words = ("judge", "--candidate" if name[-3:] == ".so" else "--command", path, *line)
+            with mock.patch.dict(os.environ, {"SUREHIT_WRONG": wrong}):
+                self.judge(*words, "--untimed")
+                alone = contents("it.sarif")
+                os.unlink("it.sarif")
+                self.work_all(2, *words)
+                self.judge("merge", "pieces")
+            self.assertEqual(json.loads(contents("it.sarif")), json.loads(alone), (name, wrong))
+            shutil.rmtree("pieces")
 
     def test_waiting_for_a_program_counts(self):
         self.plan(1, "judge", "--command", "sleep 1.1; sed 's/.*/miss/'", "--shape", "sphere",

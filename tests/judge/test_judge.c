@@ -231,6 +231,34 @@ TEST(test_replies_printed)
     }
 }
 
+/* To other questions than hits, and of processes that ended. */
+TEST(test_other_replies_printed)
+{
+    static const struct {
+        reply given;
+        const char *text;
+    } rows[] = {
+        {{.to = QUERY_OCCLUDED, .status = SURE_HIT}, "hit"},
+        {{.to = QUERY_OCCLUDED, .status = SURE_MISS}, "miss"},
+        {{.to = QUERY_INSIDE, .status = SURE_HIT}, "inside"},
+        {{.to = QUERY_INSIDE, .status = SURE_MISS}, "outside"},
+        {{.to = QUERY_INTERVAL, .status = SURE_MISS}, "miss"},
+        {{.to = QUERY_INTERVAL, .status = SURE_HIT, .t = 1, .t_leave = 2},
+         "interval 0x1p+0 0x1p+1"},
+        {{.to = QUERY_INSIDE, .status = SURE_INVALID, .field = SURE_FIELD_D}, "invalid d"},
+        {{.kind = REPLY_CRASHED, .ended = 3 << 8}, "crash: exit status 3"},
+        {{.kind = REPLY_CRASHED, .ended = SIGKILL}, "crash: signal 9, Killed"},
+        {{.kind = REPLY_HUNG}, "no answer in time"},
+        {{.kind = REPLY_LOST}, "no answer, or more than one"},
+        {{.kind = REPLY_UNASKED}, "not asked"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[CASE_LINE_MAX];
+        reply_print(&rows[i].given, text);
+        ck_assert_str_eq(text, rows[i].text);
+    }
+}
+
 TEST(test_parts_that_there_are_none_of)
 {
     reply given = reply_read("hit 2 top 0 0 1");
@@ -257,6 +285,8 @@ TEST(test_same_replies)
     reply miss = other;
     miss.t = 1; /* nothing of a miss */
     ck_assert(reply_same(&miss, &other));
+    hit = reply_read_interval("interval 1 2"), other = reply_read_interval("interval 1 3");
+    ck_assert(!reply_same(&hit, &other));
 }
 
 /* Faults. */
@@ -394,6 +424,30 @@ TEST(test_classes_of_errors)
         tally_clear(&all, PRECISION_DOUBLE);
         count(&all, &asked, &hit, &given, NULL);
         ck_assert_uint_eq(tally_verdict(&all).t_classes[classes[ulps]], 1);
+    }
+}
+
+/* 2 is the double of the bits 2^62: so many ulps lie from 0 to it, and 2^63 from -2. */
+TEST(test_classes_of_large_errors)
+{
+    static tally all;
+    static const struct {
+        double truth, given;
+        int class;
+    } rows[] = {{0, 1, 63},
+                {0, 2, 63},
+                {0, 4, 64},
+                {-2, 2, 64},
+                {-2, 4, 65},
+                {1, NAN, 65}};
+    const sure_case asked = {.ray = {.t_min = -INFINITY, .t_max = INFINITY}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const case_answer hit = {.status = SURE_HIT, .t = rows[i].truth};
+        reply given = reply_read("hit 8");
+        given.t = rows[i].given;
+        tally_clear(&all, PRECISION_DOUBLE);
+        count(&all, &asked, &hit, &given, NULL);
+        ck_assert_uint_eq(tally_verdict(&all).t_classes[rows[i].class], 1);
     }
 }
 
@@ -551,6 +605,11 @@ TEST(test_promises_read)
     }
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(!promises_read(wrong[i], &all), "'%s'", wrong[i]);
+    char most[16 * PROMISES_MOST] = "";
+    for (int i = 0; i < PROMISES_MOST; i++)
+        sprintf(most + strlen(most), "%st<=%d", i == 0 ? "" : ",", i);
+    ck_assert(promises_read(most, &all) && all.count == PROMISES_MOST);
+    ck_assert(!promises_read(strcat(most, ",contract"), &all));
 }
 
 static bool is_kept(const char *text, const verdict *by)

@@ -12,6 +12,7 @@ word says that surehit-reference is built."""
 import hashlib
 import json
 import os
+import pathlib
 import re
 import shutil
 import signal
@@ -344,8 +345,13 @@ class Faults(InFolder):
     def test_worst_cases_by_the_reference(self):
         """As simple as by exact, nearly."""
         line = "--shape cone --regime grazing --count 300 --truth "
-        by = [self.judge(tier("textbook"), line + truth)["worst"]
-              for truth in ("exact", "reference")]
+        by = [self.judge(tier("textbook"), line + "exact")["worst"]]
+        text = self.succeed("judge", *tier("textbook"), *(line + "reference").split(), "--json",
+                            "verdict.json")
+        by.append(loaded("verdict.json")["worst"])
+        asked = re.findall("(?m)^  echo .*", text)
+        self.assertEqual(len(asked), len(by[1]))
+        self.assertTrue(all(one.endswith(" --truth reference") for one in asked), asked)
         self.assertEqual([one["kind"] for one in by[0]], [one["kind"] for one in by[1]])
         sizes = [sum(len(one["case"]) for one in worst) for worst in by]
         self.assertLess(sizes[1], 1.25 * sizes[0])
@@ -613,6 +619,43 @@ class Verdicts(InFolder):
         self.assertTrue(any(one["wrong"] > 0 for one in row["margins"]["wrong"]) or
                         row["regime"] == "degenerate")
 
+    def test_shares_of_right_hits_in_the_table(self):
+        """100 are all of them."""
+        case = "plane 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1\n"
+        for right, said in (9999, "99.99"), (10000, ">99.99"):
+            put("answers", "hit 1 surface 0 0 1\n" * right +
+                "hit 0x1.0000000000001p+0 surface 0 0 1\n")
+            text = self.ask(0, "judge", "--answers", "answers", "--cases", "-",
+                            input=case * (right + 1)).stdout
+            _, t, normals = re.search("(?m)^plane +given .*", text)[0].split("|")
+            self.assertEqual((t.split(), normals.split()),
+                             (["0", "0", "0", "1", said], ["0", "100"]))
+
+    def test_the_head_says_what_it_is(self):
+        """What is no evidence, and whose time is not of answers alone."""
+        line = "--shape plane --regime typical --count 1"
+        words = [line] + HAS_REFERENCE * [line + " --truth reference"]
+        for subject in (tier("textbook"), tier("certain"), ONE, *PROGRAMS):
+            for one in words:
+                said = self.succeed("judge", *subject, *one.split(), "--json", "verdict.json")
+                self.assertEqual(loaded("verdict.json")["time_includes_text"], subject in PROGRAMS)
+                self.assertEqual(", lines read and written included" in said, subject in PROGRAMS)
+                self.assertEqual("no independent evidence" in said,
+                                 subject == tier("certain") and one == line)
+
+    def test_breaches_in_words(self):
+        """What is not asked counts, and what is refused is told, which is none."""
+        line = "--shape sphere --regime typical --count 400"
+        for wrong, names in ("refuses", ["valid refused"]), ("always aborts", ["crash"]):
+            said = self.succeed("judge", *ONE, *line.split(), "--json", "verdict.json", wrong=wrong)
+            (row,) = loaded("verdict.json")["rows"]
+            self.assertEqual(row["unasked"] > 0, wrong != "refuses")
+            told = [f"{name} {row['faults'][name]}" for name in names]
+            told += [f"given up, not asked {row['unasked']}"] if row["unasked"] else []
+            sum_of = row["faults"]["crash"] + row["unasked"]
+            self.assertIn(f"\nBreaches of the contract: {sum_of}\n"
+                          f"  sphere typical: {', '.join(told)}\n", said)
+
     def test_deterministic_by_seed(self):
         line = "--shape sphere --count 200 --seed "
         first = self.rows(tier("float32"), line + "1")
@@ -716,7 +759,9 @@ class Verdicts(InFolder):
         block = r"Errors of t as lengths.*\n.*\n\n(.*\n)(box .*\n)\n"
         head, found = re.search(block, self.succeed("judge", *tier("textbook"), *line.split())) \
             .groups()
-        self.assertEqual(float(found.split()[-1]), float(f"{camera['t_pixels']['most']:.2e}"))
+        self.assertEqual([float(word) for word in found.split()[1:]],
+                         [float(f"{camera[name][key]:.2e}") for name in ("t_extents", "t_pixels")
+                          for key in ("median", "99", "99.99", "most")])
         self.assertLessEqual(max(len(head), len(found)), 81)
         given = self.succeed("cases", *line.split())
         text = self.succeed("judge", *tier("textbook"), "--cases", "-", input=given)
@@ -1074,6 +1119,16 @@ class Requirements(InFolder):
             self.refuse(f"--require '{never_broken}'", "judge", *ONE, "--require", never_broken)
         self.assertIn("BROKEN  t<=2ulp: cylinder typical: 3", said)
 
+    def test_nothing_to_compare(self):
+        """What is told of none is not kept."""
+        said = self.ask(BROKEN, "judge", *OTHERS[0], *self.line.split(), "t<=2ulp", "--query",
+                        "occluded").stdout
+        self.assertIn("\n  BROKEN  t<=2ulp: there is none to compare\n", said)
+        put("answers", "hit 1\n")
+        said = self.ask(BROKEN, "judge", "--answers", "answers", "--cases", "-", "--require",
+                        "normal<=1ulp", input="plane 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1\n").stdout
+        self.assertIn("\n  BROKEN  normal<=1ulp: plane given: inf, none is told\n", said)
+
 
 class ForOthers(InFolder):
     """JUnit's XML and SARIF, as those read them that show them."""
@@ -1095,6 +1150,7 @@ class ForOthers(InFolder):
         said = {one.get("name"): one.get("value") for one in suite.find("properties")}
         for key in ("name", "version", "build", "judge", "truth"):
             self.assertEqual(said.get(key), verdict[key])
+        self.assertEqual((said.get("seed"), said.get("cases")), (str(verdict["seed"]), None))
         return verdict, cases, self.results(verdict)
 
     def results(self, verdict):
@@ -1105,6 +1161,8 @@ class ForOthers(InFolder):
         (run,) = log["runs"]
         driver = run["tool"]["driver"]
         self.assertEqual((driver["name"], driver["version"]), ("surehit judge", verdict["judge"]))
+        self.assertEqual(run["properties"], {key: verdict[key] or "" for key in
+                                             ("candidate", "name", "version", "build")})
         rules = [rule["id"] for rule in driver["rules"]]
         self.assertEqual(len(rules), len(set(rules)))
         for one in run["results"]:
@@ -1170,9 +1228,32 @@ class ForOthers(InFolder):
         self.assertEqual(place["physicalLocation"]["artifactLocation"]["uri"],
                          "100%25%20%26%20%22so%22%20%3Cit%3E.so")
         self.assertEqual(place["logicalLocations"], [{"fullyQualifiedName": "sphere typical"}])
+        (place,) = self.written(SOME, " --require decisions", rows="--regime typical",
+                                wrong="false hit", status=BROKEN)[2][0]["locations"]
+        self.assertEqual(place["physicalLocation"]["artifactLocation"]["uri"],
+                         pathlib.PurePath(SOME[1]).as_uri())
         place, = self.written(tier("float32"), " --require t<=0ulp",
                               status=BROKEN)[2][0]["locations"]
         self.assertNotIn("physicalLocation", place)
+
+    def test_given_cases(self):
+        """A breach is shown where the contract is broken, though another case is wrong, too."""
+        put("cases", "sphere 0 9 9 0 0 -1 0 inf 0 0 0 1\nsphere 0 0 9 0 0 0 0 inf 0 0 0 1\n")
+        put("answers", "hit 9\nmiss\n")
+        verdict = self.judge(["--answers", "answers"], "--cases cases --require contract"
+                             " --junit it.xml --sarif it.sarif", status=BROKEN)
+        self.assertEqual(verdict["count"], 0)
+        (suite,) = xml.etree.ElementTree.parse("it.xml").getroot()
+        said = {one.get("name"): one.get("value") for one in suite.find("properties")}
+        self.assertEqual((said.get("cases"), said.get("seed")), ("cases", None))
+        failure = suite.find("testcase/failure")
+        self.assertEqual((failure.get("type"), failure.get("message")), ("contract", "1"))
+        shown = ["answer  miss", "right   invalid d"]
+        self.assertEqual(failure.text.splitlines()[1:], shown)
+        told = [one["message"]["text"].splitlines() for one in self.results(verdict)]
+        self.assertEqual([(lines[0], lines[2:]) for lines in told],
+                         [("invalid accepted, sphere given: 1 of 2 cases", shown),
+                          ("contract, sphere given: 1", shown)])
 
     def test_any_answer(self):
         command = ["--command", "sed 's/.*/a<b\\x01\\xff/'"]
