@@ -110,23 +110,34 @@ class Words(InFolder):
                         "--candidate", os.path.abspath("mine.so"))
 
     @unittest.skipUnless(LIBRARY, "no candidate")
-    def test_who_computes_in_float(self):
+    def test_who_computes_in_float_and_ends(self):
+        """Who is given up on is told with all of its cases, and without times."""
+        shutil.copy(LIBRARY, "libmine.so")
         in_float = os.path.join(os.path.dirname(LIBRARY), "float.so")
-        found = self.report("--count 5 --shape plane --regime typical --tier float32 --tier stable",
-                            "--candidate", LIBRARY, "--candidate", in_float)
+        found = self.report("--count 50 --shape plane --regime typical --tier float32 "
+                            "--tier stable --candidate ./libmine.so", "--candidate", in_float,
+                            env={**os.environ, "SUREHIT_WRONG": "always aborts"})
         self.assertEqual({name: who["in_float"] for name, who in candidates(found).items()},
-                         {"float32": True, "stable": False, "one": False, "float": True})
+                         {"float32": True, "stable": False, "mine": False, "float": True})
+        self.assertEqual({regime["name"]: regime["cases"] for regime in found["regimes"]
+                          if regime["cases"] != 50}, {"camera": 250, "bits": 13, "degenerate": 13})
+        for name, who in candidates(found).items():
+            (row,) = who["rows"]
+            ends = name in ("mine", "float")
+            self.assertEqual((row["unasked"] > 0, row["nanoseconds"] is None), (ends, ends))
+            self.assertEqual(row["cases"], 50)
 
     @unittest.skipUnless(LIBRARY, "no candidate")
     def test_times_are_of_all_rays(self):
         """Of a routine that takes 10 microseconds a ray, asked in eight turns."""
         env = {**os.environ, "SUREHIT_WRONG": "is slow"}
-        found = self.report("--count 6400 --shape sphere --regime camera", "--candidate", LIBRARY,
-                            env=env)
-        (row,) = found["candidates"][0]["rows"]
+        found = self.report("--count 6400 --shape sphere --regime camera --regime bits",
+                            "--candidate", LIBRARY, env=env)
+        row, few = found["candidates"][0]["rows"]
         self.assertEqual(row["cases"], 32000)
         self.assertGreaterEqual(row["nanoseconds"], 10000)
         self.assertLess(row["nanoseconds"], 40000)
+        self.assertGreaterEqual(few["nanoseconds"], 10000)
 
 
 class Content(MadeOnce, InFolder):

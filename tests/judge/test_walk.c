@@ -111,6 +111,40 @@ TEST(test_each_fault_is_found)
     }
 }
 
+/* Who goes so many times as far as is right. */
+static double times;
+
+static candidate_end answer_scaled(candidate *self, block *asked, int first, int count)
+{
+    (void)self;
+    for (int i = first; i < first + count; i++) {
+        const sure_case *one = &asked->cases[i];
+        sure_hit hit = {.t = 0};
+        sure_status status = sure_object_hit(&one->ray, &one->object, SURE_TIER_EXACT, &hit);
+        asked->replies[i] = (reply){.status = status, .t = times * hit.t};
+    }
+    return (candidate_end){.kind = REPLY_ANSWERED};
+}
+
+/* Not even half as far, or more than twice; who is between them has lost the side alone. */
+TEST(test_how_far_is_too_far)
+{
+    static const struct {
+        double times;
+        bool zero, past;
+    } ways[] = {{0.4, true, false}, {0.6, false, false}, {1.9, false, false}, {2.1, false, true}};
+    candidate scaled = {.block_cases = BLOCK_CASES, .ask = answer_scaled};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        walk_plan plan = plan_of(SURE_TIER_CERTAIN, 0x1p-40, 1000);
+        walk_sum sum;
+        plan.by.asked = &scaled;
+        times = ways[i].times;
+        ck_assert_uint_gt(faults_in(&plan, SURE_SHAPE_SPHERE, WALK_ALONE, &sum), 50);
+        ck_assert_int_eq(sum.faults[WALK_ZERO] > 0, ways[i].zero);
+        ck_assert_int_eq(sum.faults[WALK_PAST] > 0, ways[i].past);
+    }
+}
+
 TEST(test_threads_change_nothing)
 {
     walk_plan plan = plan_of(SURE_TIER_TEXTBOOK, 1e-9, 200000);

@@ -94,16 +94,50 @@ class Walks(commands.InFolder):
         line = found["ghost"]["asked"][found["ghost"]["met"]] + "\n"
         self.assertRegex(self.succeed("answer", "--tier", "textbook", input=line), "hit")
 
+    def test_what_is_printed(self):
+        """Faults of a million steps, and of a fault's first step the solid that is met."""
+        said = self.succeed("walk", "--tier", "textbook", "--kind", "beside", "--kind", "grazing",
+                            "--shape", "sphere", "--steps", "2000", "--json", "walks.json")
+        found = loaded("walks.json")
+        for row, named in zip((*found["rows"], found["all"]), ("sphere beside", "sphere grazing",
+                                                               "all"), strict=True):
+            counts = [str(row["steps"]), str(row["walks"]), *map(str, row["faults"].values())]
+            share = 1e6 * sum(row["faults"].values()) / row["steps"]
+            (line,) = (one for one in said.splitlines() if one.split()[:-11] == named.split())
+            self.assertEqual(line.split()[-11:],
+                             [*counts, "|", f"{share:.6g}", "|", str(row["stopped"])])
+        for fault, step in found["all"]["first"].items():
+            asked = [f"  {case}{' (met)' if i == step['met'] else ''}\n"
+                     for i, case in enumerate(step["asked"])]
+            start = f"  next start {step['start']}\n" if step["start"] else ""
+            self.assertIn(f"\n{fault}\n{''.join(asked)}{start}", said)
+
+    def test_one_fault_is_enough(self):
+        """Where walks are short there are none, one, and more of them."""
+        words = ("--kind", "nested", "--shape", "cone", "--steps", "300", "--seed")
+        for seed in "1234":
+            faults = self.walk(["--tier", "textbook"], *words, seed)["all"]["faults"]
+            self.walk(["--tier", "textbook"], *words, seed, "--require",
+                      status=BROKEN if any(faults.values()) else 0)
+
+    def test_who_is_given_up_on(self):
+        """Nobody is to blame for what is not asked any more."""
+        found = self.walk(self.library("one.so"), "--kind", "alone", "--shape", "sphere", "--steps",
+                          "500", wrong="always aborts")["all"]
+        self.assertGreaterEqual(found["stopped"], 500)
+        self.assertEqual(found["faults"]["lost"], found["steps"])
+        self.assertLess(found["steps"], 50)
+
     def test_who_cannot_walk(self):
         for words, why in ((["--tier", "exact", "--shape", "plane"], "no kind of walk"),
                            (self.library("some.so") + ["--shape", "cone"], "no kind of walk"),
                            (self.library("missing.so"), ".*missing.so")):
             self.fail_with(WRONG_USAGE, f"surehit walk: error: {why}.*", "walk", *words)
-        for word in "wall", "decision", "outside":
+        for word in "wall", "decision", "outside", "scale=1000..9000":
             put("never.c", NEVER)
             subprocess.run([*CC, "-shared", "-fPIC", f'-DENTRY="{word}"', "-I",
                             os.path.join(ROOT, "include"), "never.c", "-o", "never.so"], check=True)
-            why = "no step could be asked" if word == "outside" else f".*'{word}' can't walk"
+            why = "no step could be asked" if word[0] in "os" else f".*'{word}' can't walk"
             said = self.ask(WRONG_USAGE, "walk", "--candidate", "./never.so", "--steps", "200",
                             "--require")
             self.assertRegex(said.stderr, f"surehit walk: error: {why}")
