@@ -28,6 +28,7 @@ from engines import sources_of  # noqa: E402
 
 COMPLAINTS, WRONG, MISSING = 1, 2, 3
 TAKE_PIECE = runpy.run_path(FUZZ)["take_piece"]
+SOURCES = runpy.run_path(COMMANDS)["sources"]
 
 
 class Commands(InFolder):
@@ -93,6 +94,40 @@ class Commands(InFolder):
         self.refuse("ended with status 1 and no complaint", "work", "silent", "1", "of_silent")
         self.missing("silent", "of_silent", "1")
 
+    def test_where_a_command_runs(self):
+        """Where the tree begins; what is no text is told as far as it is."""
+        self.plan("m", 1, "pwd; printf '\\377'; : {piece}")
+        self.work("m", "done", [1])
+        self.assertEqual(self.succeed("said", "done/1.json"), f"{ROOT}\n\ufffd")
+
+    def test_what_is_written_and_read(self):
+        """What everybody may read, where a link leads; of a folder results alone."""
+        os.symlink("there", "m")
+        self.plan("m", 1, "echo {piece}")
+        self.assertTrue(os.path.islink("m"))
+        self.work("there", "done", [1])
+        self.assertEqual(os.stat("done/1.json").st_mode & 0o777, 0o644)
+        os.mkdir("done/logs")
+        put("done/notes", "")
+        self.succeed("merge", "done", "-o", "sum")
+
+    def test_what_a_plan_is_for(self):
+        """Names and bytes of sources in each folder, and nothing that comes and goes."""
+        with mock.patch.dict(SOURCES.__globals__, ROOT=pathlib.Path.cwd()):
+            seen = [SOURCES()]
+            for path, data, changes in (
+                    ("src/a.c", "1", True), ("src/a.c", "2", True), ("src/b.c", "2", True),
+                    ("include/a.h", "", True), ("tests/a.py", "", True), ("fuzz/run", "", True),
+                    ("reference/peers/meson.build", "", True), ("docs/a.c", "", False),
+                    ("src/a.md", "", False), ("fuzz/__pycache__/a.py", "", False),
+                    ("reference/node_modules/a.h", "", False)):
+                os.makedirs(os.path.dirname(path), exist_ok=True)
+                put(path, data)
+                seen.append(SOURCES())
+                self.assertEqual(seen[-1] not in seen[:-1], changes, path)
+            os.rename("src/b.c", "src/c.c")
+            self.assertNotIn(SOURCES(), seen)
+
     def test_what_is_refused(self):
         self.plan("m", 2, "echo {piece}")
         self.plan("other", 2, "echo not {piece}")
@@ -101,6 +136,10 @@ class Commands(InFolder):
         self.refuse("done/1.json: piece 1 is in another file, too",
                     "merge", "done", "done/1.json", "-o", "sum")
         self.refuse("has another surehit command than", "merge", "done", "others", "-o",
+                    "sum")
+        head, piece = lines_of("done/2.json")
+        put("more", sealed([{**head, "more": 1}, piece]))
+        self.refuse("more: has another more than done/1.json", "merge", "done/1.json", "more", "-o",
                     "sum")
         for way in (["work", "other", "1", "done"], ["status", "other", "done"]):
             self.refuse("done/1.json: is another plan's", *way)
