@@ -86,9 +86,8 @@ static double crossing_t(const case_of &c)
 static double crossing_behind(const case_of &c)
 {
     flat_terms of = flat_of(c);
-    double t = c.q.ray.t_min.value, reach = of.reach.value + t * of.stride.value;
-    return share(flat_late(&of, c.q.ray.t_min),
-                 SURE_CROSSING_BEHIND_BOUND * of.normal.value * reach);
+    double most = of.lift.value + c.q.ray.t_min.value * of.steepest.value;
+    return share(flat_late(&of, c.q.ray.t_min), SURE_CROSSING_BEHIND_BOUND * most);
 }
 
 /* A crossing before t_min: the signs of both, (t_min - t) e and e, were claimed. */

@@ -294,7 +294,7 @@ static double share_of_foot(const disc_numbers *of, const sure_case *c)
 static void judge_terms(disc_numbers *of, const sure_case *c)
 {
     const flat_terms *terms = &of->terms;
-    double most = terms->normal * (terms->reach + c->ray.t_min * terms->stride);
+    double most = terms->lift + c->ray.t_min * terms->steepest;
     mpfr_mul_d(of->t, of->truth.slope, c->ray.t_min, MPFR_RNDN);
     mpfr_add(of->t, of->t, of->truth.level, MPFR_RNDN);
     if (fabs(of->late) < 0x1p1000) /* what overflows is on the right side of all that doesn't */

@@ -15,11 +15,16 @@
 
 #include <math.h>
 
-/* What is decided on: e, h, m, and the measures |m|, |d| and N's. */
+/* Far more than h's products flush, far less than |N| |m|. */
+#define FLAT_FLOOR 0x1p-600
+
+/* What is decided on: e, h, m, and the measures |m|, |d| and N's. By its lift a ray that starts
+ * beside a plane across an axis is told from one that starts in it. */
 typedef struct {
     double e, h;
     double mx, my, mz;
     double reach, stride, normal, steepest; /* steepest: |N| |d|, the most that e can be */
+    double lift;                            /* h with its terms made positive, and FLAT_FLOOR */
 } flat_terms;
 
 static inline flat_terms flat_terms_of(const sure_ray *ray, const sure_vec3 *place,
@@ -39,6 +44,7 @@ static inline flat_terms flat_terms_of(const sure_ray *ray, const sure_vec3 *pla
         .stride = stride,
         .normal = size,
         .steepest = size * stride,
+        .lift = sum_of_magnitudes(nx * mx, ny * my, nz * mz) + FLAT_FLOOR,
     };
 }
 
@@ -61,17 +67,20 @@ static inline bool flat_keeps_limit(const flat_terms *of, double error, double s
     return error * of->stride < FLAT_LIMIT * (of->reach + size);
 }
 
-/* Where the line crosses the plane: for certain but for flat_in_range and its slope. */
+/* Where the line crosses the plane: for certain but for flat_in_range and its slope. The error
+ * waits for the division, but not for t. */
 static inline filter_end flat_place_of(const flat_terms *of)
 {
-    double per_e = -1 / of->e, t = of->h * per_e, far = of->reach + fabs(t) * of->stride;
-    return (filter_end){.t = t, .error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far};
+    double per_e = -1 / of->e, share = fabs(per_e);
+    double from_h = SURE_CROSSING_T_BOUND * of->lift;
+    double from_e = fabs(of->h) * (SURE_CROSSING_T_BOUND * of->steepest);
+    return (filter_end){.t = of->h * per_e, .error = (from_h + from_e * share) * share};
 }
 
 /* A steep line keeps the limit. */
 static inline bool flat_steep(const flat_terms *of)
 {
-    return fabs(of->e) > SURE_CROSSING_STEEP * of->normal * of->stride;
+    return fabs(of->e) > SURE_CROSSING_STEEP * of->steepest;
 }
 
 /* certain's answer where the line is steep, without a branch: whether there is a hit is as good as
@@ -128,10 +137,9 @@ static inline double flat_late(const flat_terms *of, double t_min)
 static inline bool flat_behind(const flat_terms *of, double t_min)
 {
     double start = is_subnormal_bits(t_min) ? 0 : t_min;
-    double late = flat_late(of, start), slope = fabs(of->e);
-    double share = SURE_CROSSING_BEHIND_BOUND * of->normal * slope;
-    return late * of->e > share * (of->reach + start * of->stride) &&
-           slope > SURE_CROSSING_SIGN_BOUND * of->steepest;
+    double late = flat_late(of, start), most = of->lift + start * of->steepest;
+    return (late > 0) == (of->e > 0) && fabs(late) > SURE_CROSSING_BEHIND_BOUND * most &&
+           fabs(of->e) > SURE_CROSSING_SIGN_BOUND * of->steepest;
 }
 
 static inline filter_verdict flat_found(double t, double error, filter_interval *found)
