@@ -88,6 +88,10 @@ inline bool operator==(scalar x, scalar y)
 {
     return x.value == y.value;
 }
+inline bool isunordered(scalar x, scalar y)
+{
+    return isnan(x.value) || isnan(y.value);
+}
 #define OF_VALUE(type, asked)                                                                      \
     inline type asked(scalar x)                                                                    \
     {                                                                                              \

@@ -9,6 +9,9 @@
 #pragma once
 
 #include "../plane/plane_filter.h"
+#ifndef LANES
+#include "../../stages/decision.h"
+#endif
 
 #include <surehit/box.h>
 
@@ -22,19 +25,36 @@
 #define BOX_FAR 0x1p256
 #define BOX_NEVER 0x1p514
 
-/* t of the planes across an axis. Where d is 0 they are infinite: apart, between the planes; or
- * one, outside of them; and no numbers on a face. */
+/* Neither is NaN. Of one ray alone that is one comparison. */
+#ifdef LANES
+#define BOX_TOLD(t, u) (((t) <= (u)) | ((t) > (u)))
+#else
+#define BOX_TOLD(t, u) (!isunordered(t, u))
+#endif
+
+/* t of the planes across an axis, and how far these are. Where d is 0 they are infinite: apart,
+ * between the planes; or one, outside of them; and no numbers on a face. */
 typedef struct {
     double near, far;
-    bool certain;
+    double to_low, to_high;
+    bool crossed;
 } box_slab;
 
 static inline box_slab box_slab_of(double o, double d, double low, double high)
 {
-    double per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
-    bool still = bits_of(d) << 1 == (uint64_t){0}, crossed = (t <= u) | (t > u);
-    bool certain = crossed & (still | filter_scales(fabs(d), fabs(d), fabs(d)));
-    return (box_slab){filter_lesser(t, u), filter_greater(t, u), certain};
+    double per_d = 1 / d, to_low = low - o, to_high = high - o;
+    double t = to_low * per_d, u = to_high * per_d;
+    return (box_slab){filter_lesser(t, u), filter_greater(t, u), to_low, to_high, BOX_TOLD(t, u)};
+}
+
+static inline bool box_is_still(double d)
+{
+    return bits_of(d) << 1 == (uint64_t){0};
+}
+
+static inline bool box_scales(double d)
+{
+    return box_is_still(d) | filter_scales(fabs(d), fabs(d), fabs(d));
 }
 
 typedef struct {
@@ -69,6 +89,14 @@ static inline double box_last(double x, double y, double z, double *before)
     return filter_greater(later, z);
 }
 
+/* The first of three, and the second. */
+static inline double box_soonest(double x, double y, double z, double *after)
+{
+    double later = filter_greater(x, y), sooner = filter_lesser(x, y);
+    *after = filter_lesser(later, filter_greater(sooner, z));
+    return filter_lesser(sooner, z);
+}
+
 /* From the last of the near planes to the first of the far ones; before and after: the last but one
  * and the second. What is infinite becomes BOX_NEVER, so that differences tell it apart. */
 typedef struct {
@@ -79,11 +107,11 @@ static inline box_chord box_chord_of(const box_terms *of)
 {
     const double never = (double){0} + BOX_NEVER;
     double before, after, enter = box_last(of->x.near, of->y.near, of->z.near, &before);
-    double left = box_last(-of->x.far, -of->y.far, -of->z.far, &after);
+    double leave = box_soonest(of->x.far, of->y.far, of->z.far, &after);
     return (box_chord){.enter = filter_lesser(enter, never),
-                       .leave = -filter_lesser(left, never),
+                       .leave = filter_greater(leave, -never),
                        .before = filter_greater(before, -never),
-                       .after = filter_greater(after, -never)};
+                       .after = filter_lesser(after, never)};
 }
 
 static inline bool box_misses(const box_chord *at)
@@ -95,7 +123,7 @@ static inline bool box_misses(const box_chord *at)
 static inline bool box_meets(const box_chord *at)
 {
     return box_after(at->leave, at->enter) & box_after(at->enter, at->before) &
-           box_after(-at->leave, at->after);
+           box_after(at->after, at->leave);
 }
 
 static inline double box_error(double t)
@@ -112,7 +140,8 @@ static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const 
                  sum_of_magnitudes(box->low.x, box->low.y, box->low.z) +
                  sum_of_magnitudes(box->high.x, box->high.y, box->high.z);
     bool moves = (bits_of(d->x) | bits_of(d->y) | bits_of(d->z)) << 1 != (uint64_t){0};
-    return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR) & moves;
+    return of->x.crossed & of->y.crossed & of->z.crossed & box_scales(d->x) & box_scales(d->y) &
+           box_scales(d->z) & (far < BOX_FAR) & moves;
 }
 
 /* Faces are counted as the parts are: 2 axis, and 1 more for the high one. */
@@ -213,6 +242,55 @@ static inline polish_step box_step(const sure_ray *ray, const void *shape, tagge
     sure_ray line = {
         {box_along(&ray->origin, face), 0, 0}, {box_along(&ray->direction, face), 0, 0}, 0, 0};
     return crossing_step(&line, &place, &unit, t);
+}
+
+/* Of an axis: where bits above the 61st are set d is neither 0 nor what filter_scales takes. */
+static inline uint64_t box_scale_bits(double d)
+{
+    uint64_t bits = bits_of(d) << 1;
+    return (bits - (bits_of(0x1p-255) << 1)) & bits_unknown(-(uint64_t)(bits != 0));
+}
+
+/* box_in_range and box_is_thick by what costs least where all is well: branches that are foreseen,
+ * and of coordinates how far the planes are from the ray's start. */
+static INLINED bool box_fits(const sure_ray *ray, const sure_box *box, const box_terms *of)
+{
+    const sure_vec3 *d = &ray->direction, *low = &box->low, *high = &box->high;
+    double least = filter_lesser(filter_lesser(of->x.to_low, of->y.to_low), of->z.to_low);
+    double most = filter_greater(filter_greater(of->x.to_high, of->y.to_high), of->z.to_high);
+    return of->x.crossed && of->y.crossed && of->z.crossed && least > -BOX_FAR && most < BOX_FAR &&
+           low->x < high->x && low->y < high->y && low->z < high->z &&
+           (box_scale_bits(d->x) | box_scale_bits(d->y) | box_scale_bits(d->z)) >> 62 == 0 &&
+           (bits_of(d->x) | bits_of(d->y) | bits_of(d->z)) << 1 != 0;
+}
+
+/* Which of two t is the greater is certain when they are further apart; error: of either of them.
+ */
+#define BOX_CLEAR 0x1.1p1
+
+/* box_found without a branch. Nothing is put in an infinity's place: of the two ends at least one
+ * is finite, or there is no chord. */
+static INLINED decided box_decide(const sure_ray *ray, const sure_box *box)
+{
+    const sure_vec3 *d = &ray->direction;
+    const box_terms of = box_terms_of(ray, box);
+    double before, after, enter = box_last(of.x.near, of.y.near, of.z.near, &before);
+    /* Here the chord's first end is being worked out, which takes long. */
+    if (!box_fits(ray, box, &of))
+        return (decided){.certain = false};
+    double leave = box_soonest(of.x.far, of.y.far, of.z.far, &after);
+    const decision_end at = decision_end_of(enter, leave, ray);
+    double other = filter_either(at.leaves, after, before), error = box_error(at.t);
+    double nearer = filter_lesser(filter_lesser(fabs(enter), fabs(leave)), BOX_NEVER);
+    double gap = leave - enter, margin = BOX_CLEAR * BOX_SHARE * nearer + BOX_APART;
+    bool on_x = (of.x.near >= at.t) | (of.x.far <= at.t);
+    bool on_y = (of.y.near >= at.t) | (of.y.far <= at.t);
+    uint64_t face = filter_either_bits(
+        filter_all(on_x), box_first_face(d->x, 0),
+        filter_either_bits(filter_all(on_y), box_first_face(d->y, 2), box_first_face(d->z, 4)));
+    return decision_of(&at, box_error(enter), error,
+                       (gap > margin) & (fabs(at.t - other) > BOX_CLEAR * error), -gap > margin,
+                       SURE_PART_X_MIN + (face ^ (at.leaves & 1)), ray);
 }
 
 #endif
