@@ -11,6 +11,8 @@
 #include "../../stages/filter.h"
 
 #ifndef LANES
+#include "../../stages/decision.h"
+
 #include <math.h>
 #endif
 
@@ -203,6 +205,19 @@ static inline filter_verdict axial_chord(const axial_line *l, double d_d, double
                                          const sure_ray *ray, filter_interval *found)
 {
     return axial_decide(l, axial_gaps_of(l), d_d, size, ray, found);
+}
+
+/* axial_decide and filter_first without a branch: the end is chosen before what it is is told. */
+static INLINED decided axial_answer(const axial_line *l, double d_d, double size,
+                                     const sure_ray *ray)
+{
+    const axial_gaps gaps = axial_gaps_of(l);
+    const decision_end at = decision_end_of(filter_greater(axial_low(l), l->less),
+                                            filter_lesser(axial_high(l), l->more), ray);
+    double beyond = filter_either(at.leaves, gaps.after, gaps.before);
+    return decision_of(&at, axial_end_error(l, gaps.before), axial_end_error(l, beyond),
+                       axial_meets(l, &gaps, d_d, size), axial_misses(l, &gaps),
+                       axial_end_part(beyond, ~(filter_mask(l->e) ^ at.leaves)), ray);
 }
 
 #endif

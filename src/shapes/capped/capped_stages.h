@@ -97,6 +97,28 @@ static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part
 CAPPED_EXACT(cone)
 CAPPED_EXACT(cylinder)
 
+/* sure_<shape>_hit_certain: a branch where the line passes the wall's body, which spares the ends;
+ * none behind it. */
+#define CAPPED_HIT(shape)                                                                          \
+    sure_status sure_##shape##_hit_certain(const sure_ray *ray, const sure_##shape *s,             \
+                                           sure_hit *hit)                                          \
+    {                                                                                              \
+        const axial_terms terms = shape##_terms_of(ray, s);                                        \
+        double discriminant = axial_discriminant(&terms);                                          \
+        decided said = {.certain = false};                                                         \
+        if (axial_is_certain(&terms, discriminant) & axial_fits(&terms, s->radius)) {              \
+            if (discriminant < 0) {                                                                \
+                if (filter_range(ray))                                                             \
+                    return SURE_MISS;                                                              \
+            } else {                                                                               \
+                const shape##_ends ends = shape##_ends_of(&terms, discriminant, terms.inner);      \
+                said = axial_answer(&ends.line, terms.d_d, terms.size, ray);                       \
+            }                                                                                      \
+        }                                                                                          \
+        return said.certain ? decision_tell(&said, hit)                                            \
+                            : stages_certain_hit(ray, s, hit, &shape##_row);                       \
+    }
+
 /* A cap's plane is crossed inside, at or outside its rim: 1, 0, -1. m is seen from the cap's
  * centre, e = A.d, h = A.m. */
 static inline int capped_within(exact_context *c, exact e, exact h, vector_exact m, vector_exact d,

@@ -134,10 +134,6 @@ const shape_row cone_row = {
     .surface = &cone_surface_row,
 };
 
-sure_status sure_cone_hit_certain(const sure_ray *ray, const sure_cone *cone, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&cone_row, ray, cone, T_CERTAIN, hit, &unused);
-}
+CAPPED_HIT(cone)
 
 STAGES_QUESTIONS(cone)

@@ -90,11 +90,6 @@ const shape_row cylinder_row = {
     .surface = &cylinder_surface_row,
 };
 
-sure_status sure_cylinder_hit_certain(const sure_ray *ray, const sure_cylinder *cylinder,
-                                      sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&cylinder_row, ray, cylinder, T_CERTAIN, hit, &unused);
-}
+CAPPED_HIT(cylinder)
 
 STAGES_QUESTIONS(cylinder)
