@@ -55,6 +55,7 @@
 #define line_interval surehit_line_interval
 #define line_rational surehit_line_rational
 #define meeting_beyond surehit_meeting_beyond
+#define meeting_faces surehit_meeting_faces
 #define meeting_leave surehit_meeting_leave
 #define meeting_of surehit_meeting_of
 #define meeting_part surehit_meeting_part
