@@ -40,7 +40,7 @@ void compared(scalar, scalar)
 
 struct account {
     const char *name;
-    long asked, misses, chords, wrong;
+    long asked, misses, chords, decided, wrong;
     double worst; /* |t - t*| over the error */
 };
 
@@ -84,6 +84,46 @@ static void check_first(account *of, const filter_interval &found, const sure_ra
         fault(of, "another hit", x);
 }
 
+/* What single calls ask first, where that is not the filter. */
+static decided decide(const sure_ray &ray, const sure_box &box)
+{
+    return box_decide(&ray, &box);
+}
+#define DECIDE(shape)                                                                              \
+    static decided decide(const sure_ray &ray, const sure_##shape &s)                              \
+    {                                                                                              \
+        const axial_terms terms = shape##_terms_of(&ray, &s);                                      \
+        const scalar discriminant = axial_discriminant(&terms);                                    \
+        if (discriminant < 0 || !axial_is_certain(&terms, discriminant) ||                         \
+            !axial_fits(&terms, s.radius))                                                         \
+            return decided{};                                                                      \
+        const shape##_ends ends = shape##_ends_of(&terms, discriminant, terms.inner);              \
+        return axial_answer(&ends.line, terms.d_d, terms.size, &ray);                              \
+    }
+DECIDE(cylinder)
+DECIDE(cone)
+template <class object> static decided decide(const sure_ray &, const object &)
+{
+    return decided{};
+}
+
+static void check_decided(account *of, const query &q, const truth &true_one, const double x[])
+{
+    decided said = {};
+    switch (q.object.shape) {
+#define SAID(shape, SHAPE)                                                                         \
+    case SURE_SHAPE_##SHAPE: said = decide(q.ray, q.object.as.shape); break;
+        SURE_EACH_SHAPE(SAID)
+    }
+    of->decided += said.certain;
+    if (said.certain && said.meets != (true_one.hits != 0))
+        fault(of, "a wrong decision", x);
+    if (said.certain && said.meets && true_one.hits &&
+        !(static_cast<int>(said.hit.part) == true_one.hit_part &&
+          fabs(said.hit.t.value - true_one.hit_t) <= said.hit.t_error.value))
+        fault(of, "another hit decided", x);
+}
+
 static void check(account *of, sure_shape shape, const double x[])
 {
     bool line = shape_has(shape, SURE_KIND_NORMAL);
@@ -107,6 +147,7 @@ static void check(account *of, sure_shape shape, const double x[])
             check_chord(of, found, true_one, x);
             check_first(of, found, q.ray, true_one, x);
         }
+        check_decided(of, q, true_one, x);
     }
 }
 
@@ -116,7 +157,7 @@ int main(int count, char **arguments)
     bool good = true;
     setvbuf(stdout, nullptr, _IOLBF, 0);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        account of = {sure_shape_name(static_cast<sure_shape>(shape)), 0, 0, 0, 0, 0};
+        account of = {sure_shape_name(static_cast<sure_shape>(shape)), 0, 0, 0, 0, 0, 0};
         hostile draw(static_cast<unsigned>(shape + 1));
         double x[INPUTS];
         for (long i = 0; i < cases; i++) {
@@ -125,8 +166,9 @@ int main(int count, char **arguments)
         }
         if (of.misses < of.asked / 50 || of.chords < of.asked / 50)
             fault(&of, "next to nothing is told", x);
-        printf("%-8s asked %ld: %ld misses, %ld chords, error/bound of t %.3f, %ld wrong\n",
-               of.name, of.asked, of.misses, of.chords, of.worst, of.wrong);
+        printf("%-8s asked %ld: %ld misses, %ld chords, %ld decided, error/bound of t %.3f, "
+               "%ld wrong\n",
+               of.name, of.asked, of.misses, of.chords, of.decided, of.worst, of.wrong);
         good = good && of.wrong == 0;
     }
     printf(good ? "1 passed, 0 failed\n" : "0 passed, 1 failed\n");
