@@ -28,8 +28,7 @@ static size_t memory_in_use(void)
 }
 #endif
 
-/* As the routines leave them; before, all of their bits are set: every number is a NaN then, and a
- * part is REPLY_NO_PART. */
+/* As the routines leave them. */
 typedef struct {
     int statuses[PLUGIN_BLOCK];
     tier_output hits[PLUGIN_BLOCK]; /* or one of the smaller ones, one behind the other */
@@ -75,6 +74,15 @@ static void prepare(plugin *self)
                                             : sizeof(sure_candidate_hit);
     for (int i = 0; i < from->count; i++)
         self->objects[i] = numbers_of(self, i);
+}
+
+/* Before, all bits of the outputs are set: every number is a NaN then, and a part is REPLY_NO_PART.
+ * Of no more than are asked: a case that is made simple is asked a thousand times, alone. */
+static void clear(const plugin *self, outputs *pass)
+{
+    const size_t count = (size_t)self->questions->count;
+    memset(pass->statuses, 0xff, count * sizeof *pass->statuses);
+    memset(pass->hits, 0xff, count * (size_t)self->hit_size);
 }
 
 /* `count` cases one by one, the first pass forwards from `first` and the second backwards to it.
@@ -287,7 +295,8 @@ static void answer(plugin *self)
 {
     int count = self->questions->count, last = self->questions->passes - 1;
     prepare(self);
-    memset(self->passes, 0xff, sizeof self->passes);
+    for (int pass = 0; pass <= last; pass++)
+        clear(self, &self->passes[pass]);
     make_pass(self, 0, 0, count);
     size_t before = memory_in_use();
     if (last > 0)

@@ -168,8 +168,7 @@ static bool add_histogram(histogram *to, const json_t *from)
         if (json_unpack((json_t *)bin, "[I, I!]", &which, &count) != 0 || which < 0 ||
             which >= HISTOGRAM_BINS || count < 1)
             return false;
-        to->bins[which] += (uint64_t)count;
-        to->count += (uint64_t)count;
+        histogram_add_bin(to, (int)which, (uint64_t)count);
     }
     return true;
 }

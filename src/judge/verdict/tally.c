@@ -153,12 +153,18 @@ confidence confidence_of(uint64_t counted, uint64_t sample)
 
 #define SHIFT 47 /* sign, eleven bits of exponent and five of the mantissa are left: below 2^16 */
 
+void histogram_add_bin(histogram *all, int bin, uint64_t count)
+{
+    all->bins[bin] += count;
+    all->binades[bin / HISTOGRAM_PARTS] += count;
+    all->count += count;
+}
+
 void histogram_add(histogram *all, double size)
 {
     if (isnan(size))
         size = INFINITY;
-    all->bins[bits_of(size) >> SHIFT]++;
-    all->count++;
+    histogram_add_bin(all, (int)(bits_of(size) >> SHIFT), 1);
     all->zeros += size == 0;
     if (size > all->most)
         all->most = size;
@@ -166,17 +172,15 @@ void histogram_add(histogram *all, double size)
 
 double histogram_quantile(const histogram *all, double share)
 {
-    double wanted = ceil(share * (double)all->count), seen = 0;
-    if ((double)all->zeros >= wanted)
+    uint64_t wanted = (uint64_t)ceil(share * (double)all->count), bin = 0;
+    if (all->zeros >= wanted)
         return 0;
-    for (uint64_t bin = 0; bin < HISTOGRAM_BINS; bin++) {
-        seen += (double)all->bins[bin];
-        if (seen >= wanted) {
-            double end = double_of((bin + 1) << SHIFT); /* a NaN behind infinity's bin */
-            return end < all->most ? end : all->most;
-        }
-    }
-    return all->most;
+    for (; all->binades[bin / HISTOGRAM_PARTS] < wanted; bin += HISTOGRAM_PARTS)
+        wanted -= all->binades[bin / HISTOGRAM_PARTS];
+    for (; all->bins[bin] < wanted; bin++)
+        wanted -= all->bins[bin];
+    double end = double_of((bin + 1) << SHIFT); /* a NaN behind infinity's bin */
+    return end < all->most ? end : all->most;
 }
 
 /* The tally. */

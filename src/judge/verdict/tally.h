@@ -79,14 +79,19 @@ confidence confidence_of(uint64_t counted, uint64_t sample);
  * into one of 32 equal parts of its binade: whole numbers to 64 are told apart, larger sizes to one
  * part in 32, upwards. The largest is kept as it is. */
 #define HISTOGRAM_BINS 65536 /* the upper 16 bits of a double >= 0, infinity included */
+#define HISTOGRAM_PARTS 32
 typedef struct {
     uint64_t count, zeros;
     double most;
+    uint64_t binades[HISTOGRAM_BINS / HISTOGRAM_PARTS]; /* what their bins have together */
     uint64_t bins[HISTOGRAM_BINS];
 } histogram;
 
 /* A NaN counts as infinite. */
 void histogram_add(histogram *all, double size);
+
+/* So many more in a bin. */
+void histogram_add_bin(histogram *all, int bin, uint64_t count);
 
 /* The least size, rounded up to a bin's end, that at least that share of the sizes does not exceed;
  * 0 when there are none. */
