@@ -208,5 +208,6 @@ export function bindJudge(module) {
 
     return {
         ...library, regimes, margins: units, applies, cases, caseLine, answerLine, readCase, judge,
+        inner: { ...inner, putAnswer, ANSWER },
     };
 }

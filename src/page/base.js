@@ -19,6 +19,9 @@ export function element(name, attributes = {}, ...children) {
 /* To draw there, and to read what was drawn. */
 export const contextOf = canvas => canvas.getContext('2d', { willReadFrequently: true });
 
+/* A key that is the browser's, such as Alt with an arrow. */
+export const isCommand = event => event.altKey || event.ctrlKey || event.metaKey;
+
 export const grouped = number => number.toLocaleString('en');
 
 /* In few digits, as people read them. */
@@ -70,5 +73,7 @@ export async function unpacked(text) {
     const letters = atob(text.replace(/-/g, '+').replace(/_/g, '/'));
     const bytes = Uint8Array.from(letters, letter => letter.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-    return new Response(stream).text();
+    return new Response(stream).text().catch(() => { /* browsers say that nothing was fetched */
+        throw new TypeError('it is cut off, or spoiled');
+    });
 }

@@ -13,8 +13,8 @@ export function bindDraw(module) {
         new Uint8Array(wasm.memory.buffer, at, bytes.length).set(bytes);
         const done = wasm.read_scene(width, height) === 1, notes = textAt(wasm, wasm.messages());
         const list = notes.split('\n').filter(Boolean).map(line => {
-            const [, row, column, kind, message] =
-                /^scene:(\d+):(\d+): (\w+): (.*)$/.exec(line) ?? [, 0, 0, 'error', line];
+            const [, row = 0, column = 0, kind = 'error', message] =
+                /^(?:scene:(?:(\d+):(\d+):)? )?(?:(error|warning): )?(.*)$/.exec(line);
             return { line: Number(row), column: Number(column), kind, message };
         });
         return done ? { width: wasm.scene_width(), height: wasm.scene_height(), notes: list }

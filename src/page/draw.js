@@ -5,7 +5,8 @@ import { $, contextOf, element, grouped, hashOf, moduleOf, packed, startWorker, 
 const PAUSE = 250; /* ms after the last key */
 
 export function startDraw(library) {
-    let worker, id = 0, timer, notes = [], pixels = new Map(), wrong = 0, told = 0;
+    let worker, id = 0, timer, notes = [], pictures = [], wrong = 0, told = 0;
+    let address = '#draw';
 
     const text = () => $('draw-text').value;
     const say = words => { $('draw-status').textContent = words; };
@@ -13,13 +14,18 @@ export function startDraw(library) {
 
     /* Errors, at their line and column. */
 
-    /* Where line and column are; columns count bytes of UTF-8. */
+    /* Where line and column are; columns count bytes of UTF-8, none of a byte order mark. */
     function offsetOf({ line, column }) {
         const lines = text().split('\n'), row = lines[line - 1] ?? '';
         let at = lines.slice(0, line - 1).reduce((sum, before) => sum + before.length + 1, 0);
         const encoder = new TextEncoder();
-        for (let i = 0, bytes = 0; i < row.length && bytes < column - 1; at++)
-            bytes += encoder.encode(row[i++]).length;
+        let bytes = line === 1 && row.startsWith('\ufeff') ? -3 : 0;
+        for (const letter of row) {
+            if (bytes >= column - 1)
+                break;
+            bytes += encoder.encode(letter).length;
+            at += letter.length;
+        }
         return Math.min(at, text().length);
     }
 
@@ -62,23 +68,49 @@ export function startDraw(library) {
         showMarks();
     }
 
+    /* How many there are; the last line may count more. */
+    function errorsOf(list) {
+        const errors = list.filter(note => note.kind === 'error').map(note => note.message);
+        return errors.reduce((sum, words) => sum + Number(/^(\d+) more/.exec(words)?.[1] ?? 1), 0);
+    }
+
     /* Pictures. */
+
+    /* Can the browser have such a canvas? One that is too large holds nothing. */
+    function canHold(width, height) {
+        const context = contextOf(element('canvas', { width, height }));
+        context.fillRect(0, 0, 1, 1);
+        return context.getImageData(0, 0, 1, 1).data[3] > 0;
+    }
+
+    async function stop(words) {
+        const drawing = worker;
+        worker = undefined;
+        id++;
+        say(words);
+        (await drawing).terminate();
+    }
 
     function begin({ width, height, notes: list }) {
         showNotes(list);
+        const errors = errorsOf(list);
         if (!width)
-            return say(`${list.length} ${list.length === 1 ? 'error' : 'errors'}: nothing is drawn.`);
+            return say(`${errors} ${errors === 1 ? 'error' : 'errors'}: nothing is drawn.`);
+        if (!canHold(width, height))
+            return stop(`${grouped(width)} by ${grouped(height)} pixels are too many here.`);
         for (const canvas of [$('draw-canvas'), $('draw-canvas-other')])
             Object.assign(canvas, { width, height });
-        pixels = new Map([[$('draw-tier').value, $('draw-canvas')]]);
+        pictures = [[$('draw-tier').value, $('draw-canvas')]];
         if (besides())
-            pixels.set(besides(), $('draw-canvas-other'));
+            pictures.push([besides(), $('draw-canvas-other')]);
         say('Drawing ...');
     }
 
     function putTile({ tier, tile, pixels: data, wrong: found }) {
-        const context = contextOf(pixels.get(tier));
-        context.putImageData(new ImageData(data, tile.width, tile.height), tile.x, tile.y);
+        const image = new ImageData(data, tile.width, tile.height);
+        for (const [of, canvas] of pictures)
+            if (of === tier)
+                contextOf(canvas).putImageData(image, tile.x, tile.y);
         if (found !== undefined && tier === $('draw-tier').value) {
             wrong += found;
             told += tile.width * tile.height;
@@ -86,7 +118,7 @@ export function startDraw(library) {
     }
 
     function differences() {
-        const [one, two] = [...pixels.values()].map(canvas =>
+        const [one, two] = pictures.map(([, canvas]) =>
             new Uint32Array(contextOf(canvas).getImageData(0, 0, canvas.width,
                                                                  canvas.height).data.buffer));
         return one.reduce((sum, pixel, i) => sum + (pixel !== two[i]), 0);
@@ -95,7 +127,7 @@ export function startDraw(library) {
     function drawn() {
         const { width, height } = $('draw-canvas'), size = grouped(width * height);
         const words = [`${size} pixels.`];
-        if (pixels.size > 1)
+        if (pictures.length > 1)
             words.push(`${grouped(differences())} differ.`);
         if (told > 0)
             words.push(wrong === 0 ? `Certificate: ${grouped(told)} pixels, all right.`
@@ -135,7 +167,9 @@ export function startDraw(library) {
         clearTimeout(timer);
         timer = setTimeout(async () => {
             draw(false);
-            history.replaceState(null, '', hashOf('draw', { v: await packed(text()) }));
+            address = hashOf('draw', { v: await packed(text()) });
+            if (!$('draw').hidden)
+                history.replaceState(null, '', address);
         }, PAUSE);
     }
 
@@ -152,11 +186,13 @@ export function startDraw(library) {
         $(`draw-${name}`).addEventListener('change', () => draw(false));
 
     return {
-        hash: () => '#draw',
+        hash: () => address,
         async open({ v }) {
             try {
-                if (v)
+                if (v) {
                     $('draw-text').value = await unpacked(v);
+                    address = hashOf('draw', { v });
+                }
             } catch (error) {
                 return say(`This link can’t be read: ${error}`);
             }

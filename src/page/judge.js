@@ -27,6 +27,7 @@ const UNITS = {
 
 export function startJudge(library, judgeModule) {
     let worker, timer, rows = [], worst = [], doing = '';
+    let asked; /* what is judged: options and code */
 
     function check([word, meaning]) {
         return element('label', {}, element('input', { type: 'checkbox', value: word }), meaning);
@@ -75,13 +76,15 @@ export function startJudge(library, judgeModule) {
     function addWorst(one) {
         const told = [one.shape, one.regime, one.event && one.event !== 'clear' ? one.event : '',
                       one.ulps ? `${short(one.ulps)} ulps` : '',
-                      one.margin ? `wrong by ${short(one.margin)} ${UNITS[$('judge-margin').value]}`
+                      one.margin ? `wrong by ${short(one.margin)} ${UNITS[asked.margin]}`
                                  : ''].filter(Boolean);
         return element('div', { class: 'worst' },
             element('h3', {}, `${one.kind} (${told.join(', ')})`),
             element('pre', { tabindex: 0 }, `${numbersOf(one.case)}\nanswer  ${decimal(one.answer)}` +
                                             `\nright   ${decimal(one.right)}\n\n${one.case}`));
     }
+
+    const written = number => Object.is(number, -0) ? '-0' : String(number);
 
     /* A number of a line as JavaScript writes it. */
     function decimalOf(word) {
@@ -91,16 +94,26 @@ export function startJudge(library, judgeModule) {
         const [, sign, whole, digits = '', power] = parts, scale = Number(power);
         const mantissa = Number(whole) + (digits ? parseInt(digits, 16) / 16 ** digits.length : 0);
         const half = Math.trunc(scale / 2); /* each power of two is a double */
-        return String((sign ? -1 : 1) * mantissa * 2 ** half * 2 ** (scale - half));
+        return written((sign ? -1 : 1) * mantissa * 2 ** half * 2 ** (scale - half));
     }
 
     const decimal = line => line.split(' ').map(decimalOf).join(' ');
 
     function numbersOf(line) {
         const { shape, ray, object } = library.readCase(line);
-        const list = value => Array.isArray(value) ? `[${value.join(', ')}]` : String(value);
+        const list = value => Array.isArray(value) ? `[${value.map(written).join(', ')}]`
+                                                  : written(value);
         const members = of => Object.entries(of).map(([name, is]) => `${name}: ${list(is)}`);
         return `ray     {${members(ray).join(', ')}}\n${shape.padEnd(7)} {${members(object).join(', ')}}`;
+    }
+
+    /* Throws unless it is as showLink makes it. */
+    function checkLink({ code, entry: words, margin, count, worst: told }) {
+        const counts = [...$('judge-count').options].map(option => option.value);
+        if (typeof code !== 'string' || typeof words !== 'string' ||
+            !Object.hasOwn(UNITS, margin) || !counts.includes(String(count)))
+            throw new TypeError('it is no verdict’s');
+        told.forEach(one => library.readCase(one.case));
     }
 
     function showWorst(heading) {
@@ -130,9 +143,10 @@ export function startJudge(library, judgeModule) {
                                      `about ${doing || 'the first question'}`), PATIENCE);
     }
 
+    /* JSON has no infinity. */
     async function showLink() {
-        const said = { ...options(), code: $('judge-code').value, worst };
-        $('judge-link').href = hashOf('judge', { v: await packed(JSON.stringify(said)) });
+        const said = JSON.stringify({ ...asked, worst }, (_, is) => is === Infinity ? `${is}` : is);
+        $('judge-link').href = hashOf('judge', { v: await packed(said) });
         $('judge-link').hidden = false;
     }
 
@@ -166,15 +180,17 @@ export function startJudge(library, judgeModule) {
         rows = worst = [];
         rows = [];
         doing = '';
+        asked = { ...options(), code: $('judge-code').value };
         $('judge-rows').tBodies[0].replaceChildren();
-        $('judge-margin-head').textContent = `margin, ${UNITS[$('judge-margin').value]}`;
+        $('judge-margin-head').textContent = `margin, ${UNITS[asked.margin]}`;
         $('judge-link').hidden = true;
         delete $('judge').dataset.done;
         showWorst();
         end('Asking ...');
         running(true);
         worker = startWorker([{ judge: judgeModule }], heard);
-        worker.postMessage({ kind: 'judge', code: $('judge-code').value, options: options() });
+        const { code, ...how } = asked;
+        worker.postMessage({ kind: 'judge', code, options: how });
         wait();
     }
 
@@ -213,14 +229,17 @@ export function startJudge(library, judgeModule) {
             if (!v)
                 return;
             try {
-                const said = JSON.parse(await unpacked(v));
-                $('judge-code').value = String(said.code);
-                setEntry(String(said.entry));
+                const said = JSON.parse(await unpacked(v),
+                                        (_, is) => is === 'Infinity' ? Infinity : is);
+                checkLink(said);
+                end('From a link. Read the code, then judge it anew.');
+                $('judge-code').value = said.code;
+                setEntry(said.entry);
                 $('judge-margin').value = said.margin;
                 $('judge-count').value = String(said.count);
+                asked = said;
                 worst = said.worst;
                 showWorst('The counterexamples of this link');
-                say('From a link. Read the code, then judge it anew.');
             } catch (error) {
                 say(`This link can’t be read: ${error}`);
             }

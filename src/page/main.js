@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /* The page: its three parts, of which one is shown. */
 import { bindJudge } from '../npm/bind_judge.js';
-import { $, moduleOf, readHash } from './base.js';
+import { $, isCommand, moduleOf, readHash } from './base.js';
 import { startDraw } from './draw.js';
 import { startJudge } from './judge.js';
 import { startSee } from './see.js';
@@ -30,7 +30,7 @@ function choose(part) {
 
 function moveTab(event) {
     const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-    if (!by)
+    if (!by || isCommand(event))
         return;
     const at = PARTS.indexOf(event.currentTarget.id.slice(4));
     const to = PARTS[(at + by + PARTS.length) % PARTS.length];

@@ -7,3 +7,12 @@ export function routinesOf(code, shapes) {
     const all = new Function(`"use strict";\n${code}\n;return {${ends.join(', ')}};`)();
     return Object.fromEntries(Object.entries(all).filter(([, routine]) => routine));
 }
+
+/* What somebody threw, which may be anything. */
+export function wordsOf(thrown) {
+    try {
+        return String(thrown);
+    } catch {
+        return 'what has no words';
+    }
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* "See it": a window of rays about a place, as each tier answers them. */
-import { $, contextOf, element, grouped, hashOf, short, startWorker } from './base.js';
+import { $, contextOf, element, grouped, hashOf, isCommand, short, startWorker } from './base.js';
 import { OBJECTS, directionTo, eyeAt, ulpOf } from './places.js';
 
 const SIDE = 64, COUNT = SIDE * SIDE; /* of the rays of a picture */
@@ -20,7 +20,8 @@ export function startSee(library, judgeModule, ownCode) {
     const HIT = statuses.indexOf('hit');
     const state = { ...PRESETS[0][1] };
     const tiles = new Map();
-    let window_, exact, cursor = COUNT / 2 + SIDE / 2, frame = 0, worker, asked = 0, timer;
+    let window_, exact, cursor = COUNT / 2 + SIDE / 2, frame = 0, worker, timer;
+    let asked = 0, busy = 0; /* questions of one's own function: the last, and that under way */
 
     /* The window. */
 
@@ -49,10 +50,10 @@ export function startSee(library, judgeModule, ownCode) {
     /* Colours. */
 
     function colourOf(i, said) {
-        const right = exact.status[i] === HIT, here = said.status[i] === HIT;
-        if (right !== here)
-            return here ? 2 : 3;
-        return here && said.part && said.part[i] !== exact.part[i] ? 4 : here ? 1 : 0;
+        const isHit = said.status[i] === HIT;
+        if (said.status[i] !== exact.status[i])
+            return isHit ? 2 : 3;
+        return isHit && said.part && said.part[i] !== exact.part[i] ? 4 : isHit ? 1 : 0;
     }
 
     const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -97,8 +98,10 @@ export function startSee(library, judgeModule, ownCode) {
         const words = wrong > 0 ? element('span', { class: 'wrong' }, `${grouped(wrong)} wrong`)
                                 : 'none wrong';
         tiles.get(name).caption.replaceChildren(
-            element('b', {}, name), words, ` of ${grouped(COUNT)}; t off by up to `,
-            `${short(Math.round(off * 100) / 100)} ulp`);
+            element('b', {}, name), words, ` of ${grouped(COUNT)}; `,
+            Number.isNaN(off) ? 'a hit without t'
+                              : `t off by up to ${short(Math.round(off * 100) / 100)} ulp`,
+            said.thrown === undefined ? '' : `. It threw: ${said.thrown}`);
         tiles.get(name).canvas.setAttribute('aria-label',
             `${name}: ${wrong} of ${COUNT} rays wrong. Arrow keys choose a ray.`);
     }
@@ -144,17 +147,23 @@ export function startSee(library, judgeModule, ownCode) {
     function endOwn(words) {
         worker?.terminate();
         worker = undefined;
+        busy = 0;
         const tile = tiles.get('yours');
         tile.said = undefined;
         contextOf(tile.canvas).clearRect(0, 0, SIDE, SIDE);
         tile.caption.replaceChildren(element('b', {}, 'yours'), words);
+        tile.canvas.setAttribute('aria-label', `yours: ${words}`);
     }
 
     function heardOwn(message) {
-        if (message.id !== asked && message.kind !== 'error')
+        if (message.id !== busy && message.kind !== 'error')
             return;
+        const isLate = busy !== asked;
         clearTimeout(timer);
-        if (message.kind === 'error')
+        busy = 0;
+        if (isLate)
+            askOwn();
+        else if (message.kind === 'error')
             endOwn(message.message);
         else if (message.none)
             endOwn(`there is no function ${state.shape}`);
@@ -162,12 +171,23 @@ export function startSee(library, judgeModule, ownCode) {
             show('yours', message);
     }
 
+    function stopOwn() {
+        const isLate = busy !== asked;
+        endOwn('no answer in time: stopped');
+        if (isLate)
+            askOwn();
+    }
+
+    /* One question at a time: a newer one waits for the answer, and is then the last. */
     function askOwn() {
-        clearTimeout(timer);
+        asked++;
+        if (busy)
+            return;
+        busy = asked;
         worker ??= startWorker([{ judge: judgeModule }], heardOwn);
-        worker.postMessage({ kind: 'own', id: ++asked, code: ownCode(), shape: state.shape,
+        worker.postMessage({ kind: 'own', id: busy, code: ownCode(), shape: state.shape,
                              rays: window_.rays, object: window_.object });
-        timer = setTimeout(() => endOwn('no answer in time: stopped'), OWN_PATIENCE);
+        timer = setTimeout(stopOwn, OWN_PATIENCE);
     }
 
     /* One ray, as all see it. */
@@ -193,7 +213,8 @@ export function startSee(library, judgeModule, ownCode) {
     function moveCursor(event) {
         const moves = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -SIDE, ArrowDown: SIDE };
         const by = moves[event.key], to = cursor + by;
-        if (by === undefined || to < 0 || to >= COUNT)
+        const isSide = Math.abs(by) === 1 && Math.floor(to / SIDE) !== Math.floor(cursor / SIDE);
+        if (by === undefined || isCommand(event) || isSide || to < 0 || to >= COUNT)
             return;
         event.preventDefault();
         cursor = to;
@@ -261,7 +282,8 @@ export function startSee(library, judgeModule, ownCode) {
     function makeTile(name) {
         const side = name === 'where' ? WHOLE : SIDE;
         const canvas = element('canvas', { width: side, height: side, role: 'img',
-                                           'aria-label': 'the whole object' });
+                                           'aria-label': name === 'where' ? 'the whole object'
+                                                                          : name });
         const caption = element('figcaption');
         if (name !== 'where') {
             canvas.tabIndex = 0;

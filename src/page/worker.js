@@ -3,9 +3,10 @@
  * page stops a worker by ending it. */
 import { bindJudge } from '../npm/bind_judge.js';
 import { bindDraw } from './bind_draw.js';
-import { routinesOf } from './routines.js';
+import { routinesOf, wordsOf } from './routines.js';
 
 const ALIVE = 100; /* ms between signs of life */
+const NONE = 255;  /* no status */
 
 let judging, drawing, wanted = 0, said = 0;
 
@@ -31,28 +32,31 @@ function judgeAll({ code, options }) {
     const found = judging.judge(routine, {
         ...options, shapes, onRow: (row, of) => postMessage({ kind: 'row', row, of }),
     });
-    found.thrown = found.thrown.map(String);
+    found.thrown = found.thrown.map(wordsOf);
     postMessage({ kind: 'done', found });
 }
 
-/* Hits of one's own function for the pictures of "See it": 1 hit, 0 miss, 2 no answer. */
+/* Hits of one's own function for the pictures of "See it", by the judge's reading of an answer; the
+ * status is none of the library's where there is no answer. */
 function askOwn({ code, shape, rays, object, id }) {
     const routine = routinesOf(code, judging.shapes)[shape];
     if (!routine)
         return postMessage({ kind: 'own', id, none: true });
     const count = rays.length / 8, status = new Uint8Array(count), t = new Float64Array(count);
+    const { putAnswer, ANSWER } = judging.inner, said = new Float64Array(ANSWER);
+    let thrown;
     for (let i = 0; i < count; i++) {
         const [x, y, z, u, v, w, tMin, tMax] = rays.subarray(8 * i, 8 * i + 8);
         try {
-            const answer = routine({ origin: [x, y, z], direction: [u, v, w], tMin, tMax }, object);
-            t[i] = typeof answer === 'number' ? answer : answer?.t ?? NaN;
-            status[i] = typeof answer === 'number' || answer === true || typeof answer === 'object'
-                        && answer !== null ? 1 : 0;
-        } catch {
-            status[i] = 2;
+            putAnswer(routine({ origin: [x, y, z], direction: [u, v, w], tMin, tMax },
+                              structuredClone(object)), said, 0);
+            [status[i], t[i]] = said;
+        } catch (error) {
+            thrown ??= wordsOf(error);
+            status[i] = NONE;
         }
     }
-    postMessage({ kind: 'own', id, status, t });
+    postMessage({ kind: 'own', id, status, t, thrown });
 }
 
 /* Now and then others may speak. */
@@ -94,6 +98,6 @@ onmessage = async ({ data }) => {
         else
             await tasks[data.kind](data);
     } catch (error) {
-        postMessage({ kind: 'error', id: data.id, message: String(error) });
+        postMessage({ kind: 'error', id: data.id, message: wordsOf(error) });
     }
 };

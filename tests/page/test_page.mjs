@@ -10,6 +10,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import test, { after, before } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
 
 import { openBrowser, openPage } from './browser.mjs';
 
@@ -142,6 +143,73 @@ test('every shape and place has a picture in which certain is never wrong', { ti
     }
 }));
 
+const yours = captionOf('yours');
+
+/* Shows what a function of one's own does. */
+async function seeOwn(page, code) {
+    await page.evaluate(`document.getElementById('judge-code').value = ${JSON.stringify(code)};
+        ${yours.replace('.textContent', '.replaceChildren()')};
+        document.getElementById('tab-see').click()`);
+    await page.until(yours);
+    return page.evaluate(yours);
+}
+
+test('one’s own function is seen as it is judged', { timeout: 600000 },
+     () => visit({ width: 1280 }, '#see', async page => {
+    await page.until(drawn);
+    assert.match(await seeOwn(page, 'function sphere() { throw Object.create(null); }'),
+                 /^yours4,096 wrong of .*It threw: what has no words$/);
+    assert.match(await seeOwn(page, 'function sphere() { return "invalid"; }'), /^yours4,096 wrong/);
+    assert.match(await seeOwn(page, 'function sphere() { return true; }'), /; a hit without t$/);
+    assert.equal(await seeOwn(page, 'throw Object.create(null);'), 'yourswhat has no words');
+    const mutating = `function sphere(ray, ball) {
+        const a = ray.direction.reduce((sum, d) => sum + d * d, 0);
+        const b = ray.direction.reduce((sum, d, i) => sum + d * ray.origin[i], 0);
+        const c = ray.origin.reduce((sum, o) => sum + o * o, 0) - (ball.radius *= ball.radius);
+        ball.radius /= 2;
+        return b * b < a * c ? null : (-b - Math.sqrt(b * b - a * c)) / a;
+    }`;
+    await seeOwn(page, mutating);
+    assert(await wrongOf(page, 'yours') < 1000, 'each ray has an object of its own');
+
+    /* Its canvas says so where there is no picture. */
+    await seeOwn(page, 'const ball = 1;');
+    const label = 'document.querySelector("[data-tile=yours] canvas").ariaLabel';
+    assert.equal(await page.evaluate(label), 'yours: there is no function sphere');
+}));
+
+test('many changes do not stop one’s own function', { timeout: 600000 },
+     () => visit({ width: 1280 }, '#see', async page => {
+    await page.until(drawn);
+    await seeOwn(page, `function sphere() {
+        for (const end = performance.now() + 0.06; performance.now() < end;);
+        return null;
+    }`);
+    await page.evaluate(`(async () => { const slider = document.getElementById('see-around');
+        for (let i = 0; i < 24; i++) {
+            slider.value = i;
+            slider.dispatchEvent(new Event('input'));
+            await new Promise(requestAnimationFrame);
+        } ${yours.replace('.textContent', '.replaceChildren()')}; })()`);
+    await page.until(yours);
+    assert.match(await page.evaluate(yours), /wrong of 4,096/);
+}));
+
+test('arrow keys end at a picture’s edge, and with Alt are the browser’s',
+     () => visit({ width: 1280 }, '#see', async page => {
+    await page.until(drawn);
+    await tabTo(page, '[data-tile=exact] canvas');
+    for (let i = 0; i < 40; i++)
+        await page.press('ArrowLeft');
+    const cell = 'document.getElementById("see-cell").textContent';
+    assert.match(await page.evaluate(cell), /^ray -32 right, 0 up/);
+    const taken = id => page.evaluate(`!document.querySelector('${id}').dispatchEvent(
+        new KeyboardEvent('keydown', { key: 'ArrowRight', altKey: true, cancelable: true }))`);
+    assert(!await taken('[data-tile=exact] canvas') && !await taken('#tab-see'));
+    assert.match(await page.evaluate(cell), /^ray -32 right, 0 up/);
+    assert(await page.evaluate('!document.getElementById("see").hidden'));
+}));
+
 const status = 'document.getElementById("judge-status").textContent';
 
 /* Writes into a text area in the place of what is there. */
@@ -223,6 +291,48 @@ test('examples are judged under their entries', { timeout: 600000 },
     }
 }));
 
+const linkTo = said => `#judge&v=${deflateRawSync(JSON.stringify(said)).toString('base64url')}`;
+const worstText = '[...document.querySelectorAll(".worst")].map(one => one.innerText).join("\\n")';
+
+test('a link holds what was judged, and what is none changes nothing', { timeout: 600000 },
+     () => visit({ width: 1280 }, '#judge', async page => {
+    const code = 'function sphere() { return true; }';
+    await page.evaluate(`document.getElementById('judge-code').value = '${code}';
+        document.getElementById('judge-count').value = '100';
+        document.getElementById('judge-run').click();
+        document.getElementById('judge-code').value = 'const later = 1;';
+        document.getElementById('judge-margin').value = 'ulps'`);
+    await page.until('document.getElementById("judge").dataset.done');
+    const told = await page.evaluate(worstText);
+    assert.match(told, /wrong by .* in sizes of the object/);
+    assert.match(told, /Infinity ulps/);
+    const link = await page.evaluate('document.getElementById("judge-link").hash');
+    await visit({ width: 1280 }, link, async other => {
+        await other.until(`${status}.startsWith('From a link')`);
+        assert.equal(await other.evaluate(worstText), told);
+        assert.equal(await other.evaluate('document.getElementById("judge-code").value'), code);
+        assert.equal(await other.evaluate('document.getElementById("judge-margin").value'), 'size');
+    });
+    const good = { code, entry: '', margin: 'size', count: 100, worst: [] };
+    for (const bad of [null, {}, { ...good, code: 1 }, { ...good, margin: 'x' },
+                       { ...good, count: 7 }, { ...good, worst: null },
+                       { ...good, worst: [{ case: 'sphere 1' }] }])
+        await visit({ width: 1280 }, linkTo(bad), async other => {
+            await other.until(`${status}.startsWith('This link can’t be read')`);
+            assert.match(await other.evaluate('document.getElementById("judge-code").value'),
+                         /^\/\/ The sphere/);
+            assert.equal(await other.evaluate('document.getElementById("judge-margin").value'),
+                         'size');
+        });
+    const worst = [{ kind: 'false hit', shape: 'sphere', regime: 'tiny', answer: 'hit -0x0p+0',
+                     right: 'miss',
+                     case: `sphere 0x0p+0 -0x0p+0 0x1p+0 ${'0x1p+0 '.repeat(8)}0x1p+0` }];
+    await visit({ width: 1280 }, linkTo({ ...good, worst }), async other => {
+        await other.until(`${status}.startsWith('From a link')`);
+        assert.match(await other.evaluate(worstText), /origin: \[0, -0, 1\][^]*answer +hit -0\n/);
+    });
+}));
+
 /* The picture as the page has it, three bytes a pixel. */
 const pixelsOf = id => `(() => { const c = document.getElementById('${id}');
     const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
@@ -279,6 +389,87 @@ test('pictures are the native ones', { timeout: 600000 },
         const native = nativePicture(scene, '--size', '320x180');
         assert(Buffer.from(await page.evaluate(pixelsOf('draw-canvas')), 'base64').equals(native),
                `${name} is not the native picture`);
+    }
+}));
+
+const BEGIN = 'A 0.2 255,255,255\nC 0,0,5 0,0,-1 60\n', LIGHT = 'L 3,3,3 0.7\n';
+const drawStatus = 'document.getElementById("draw-status").textContent';
+const writeScene = (page, text) => page.evaluate(`{ const t = document.getElementById('draw-text');
+    t.value = ${JSON.stringify(text)};
+    delete document.getElementById('draw').dataset.drawn;
+    document.getElementById('draw-status').textContent = '';
+    t.dispatchEvent(new Event('input')); }`);
+
+test('faults of a scene are counted, and marked where they are', { timeout: 600000 },
+     () => visit({ width: 1280 }, '#draw', async page => {
+    await page.until(drawnNow);
+    const marks = '[...document.querySelectorAll("mark")].map(mark => mark.textContent).join()';
+    for (const [text, count, marked] of [
+        [`${BEGIN}${LIGHT}sp 😀,0,0 x 255,0,0\n`, '2 errors', '😀,x'],
+        [`\ufeffsp 0,0,0 x 255,0,0\n${BEGIN}${LIGHT}`, '1 error', 'x'],
+        [`${BEGIN}sp 0,0,0 x 255,0,0`, '1 error', 'x, '], // and no light is a warning
+    ]) {
+        await writeScene(page, text);
+        await page.until(drawStatus);
+        assert.equal(await page.evaluate(drawStatus), `${count}: nothing is drawn.`);
+        assert.equal(await page.evaluate(marks), marked);
+    }
+    await writeScene(page, BEGIN + LIGHT + 'sp\n'.repeat(25));
+    await page.until(drawStatus);
+    assert.equal(await page.evaluate(drawStatus), '25 errors: nothing is drawn.');
+    const last = '[...document.querySelectorAll("#draw-errors button")].at(-1)';
+    assert.equal(await page.evaluate(`${last}.textContent`), '5 more errors');
+    const words = Array.from({ length: 22 }, (_, i) => `W${i} 1\n`).join('');
+    await writeScene(page, `#! dialect 42\n${BEGIN}${LIGHT}${words}sp 0,0,0 1 9,9,9\n`);
+    await page.until(drawnNow);
+    assert.equal(await page.evaluate(`${last}.textContent`),
+                 'warning: 2 more unknown kinds are left out');
+}));
+
+test('the address holds the scene, beside a tier may stand itself', { timeout: 600000 },
+     () => visit({ width: 1280 }, '#draw', async page => {
+    await page.until(drawnNow);
+    await writeScene(page, `${BEGIN}${LIGHT}sp 0,0,0 2 255,0,0\n`);
+    await page.until('location.hash.startsWith("#draw&v=")');
+    const address = await page.evaluate('location.hash');
+    await page.evaluate('document.getElementById("tab-see").click()');
+    await page.evaluate('document.getElementById("tab-draw").click()');
+    assert.equal(await page.evaluate('location.hash'), address);
+
+    /* Nor does it say another part than is shown. */
+    await page.until(drawnNow);
+    await writeScene(page, `${BEGIN}${LIGHT}`);
+    await page.evaluate('document.getElementById("tab-see").click()');
+    await page.until(drawnNow); // though nobody sees it
+    assert.match(await page.evaluate(
+        'new Promise(done => setTimeout(() => done(location.hash), 100))'), /^#see&/);
+    await page.evaluate('document.getElementById("tab-draw").click()');
+    assert.match(await page.evaluate('location.hash'), /^#draw&v=/);
+    assert.notEqual(await page.evaluate('location.hash'), address);
+
+    await writeScene(page, `${BEGIN}${LIGHT}sp 0,0,0 2 255,0,0\n`);
+    await page.until(drawnNow);
+    await page.evaluate(`{ const menu = document.getElementById('draw-beside');
+        menu.value = 'certain';
+        menu.dispatchEvent(new Event('change')); }`);
+    await page.until(`${drawStatus} === '230,400 pixels. 0 differ.'`);
+    assert.equal(await page.evaluate(pixelsOf('draw-canvas')),
+                 await page.evaluate(pixelsOf('draw-canvas-other')));
+
+    /* What no canvas can hold is told, and what follows is drawn. */
+    await page.evaluate('document.getElementById("draw-size").value = ""');
+    await writeScene(page, `${BEGIN}${LIGHT}R 65535 65535\n`);
+    await page.until(`${drawStatus} === '65,535 by 65,535 pixels are too many here.'`);
+    await writeScene(page, `${BEGIN}${LIGHT}R 64 36\n`);
+    await page.until(`${drawStatus} === '2,304 pixels. 0 differ.'`);
+}));
+
+test('a link that is cut off is told', () => visit({ width: 1280 }, '#see', async page => {
+    await page.until(drawn);
+    const link = linkTo({ code: 'function sphere() { return null; }' });
+    for (const [part, said] of [['judge', status], ['draw', drawStatus]]) {
+        await page.evaluate(`location.hash = '${link.slice(0, -9).replace('judge', part)}'`);
+        await page.until(`${said} === 'This link can’t be read: TypeError: it is cut off, or spoiled'`);
     }
 }));
 
