@@ -137,12 +137,16 @@ bool rt_read_color(rt_reader *r, const rt_field *f, void *of)
     return true;
 }
 
+size_t rt_errors(const rt_reader *r)
+{
+    return r->notes.counts[RT_ERROR] + r->notes.counts[RT_ERROR_BUT_IN_42];
+}
+
 bool rt_try_field(rt_reader *r, const rt_field *f, void *of)
 {
     rt_reader before = *r;
-    size_t errors = r->notes.counts[RT_ERROR] + r->notes.counts[RT_ERROR_BUT_IN_42];
-    if (rt_read_field(r, f, of) &&
-        r->notes.counts[RT_ERROR] + r->notes.counts[RT_ERROR_BUT_IN_42] == errors)
+    size_t errors = rt_errors(r);
+    if (rt_read_field(r, f, of) && rt_errors(r) == errors)
         return true;
     *r = before;
     return false;

@@ -217,9 +217,11 @@ static bool read_element(rt_reader *r, rt_word identifier, rt_element *element)
         r->helps = false;
         return read;
     }
+    size_t errors = rt_errors(r);
     if (!rt_read_fields(r, form->fields, element))
         return false;
-    const char *why = form->take ? form->take(element) : NULL;
+    bool taken = form->take && rt_errors(r) == errors; /* a fault has been named already */
+    const char *why = taken ? form->take(element) : NULL;
     rt_complain(&r->notes, RT_LIBERTY, element->at, "%s", why ? why : form->guess);
     return !why;
 }

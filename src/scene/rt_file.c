@@ -13,15 +13,15 @@
 #define BYTES_MOST (256 << 20)
 #define TOO_LARGE "more than 256 MiB"
 
-/* All bytes up to the end of the file or pipe, whatever its size was said to be; to be freed,
- * whatever is returned: what is wrong, and what was expected, or NULL. */
+/* All bytes up to the end of the file, pipe or socket, whatever its size was said to be; to be
+ * freed, whatever is returned: what is wrong, and what was expected, or NULL. */
 static const char *read_all(FILE *file, char **text, size_t *size, const char **expected)
 {
     struct stat about;
     *expected = "a scene that can be read";
     if (!file || fstat(fileno(file), &about) != 0)
         return strerror(errno);
-    if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
+    if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode) && !S_ISSOCK(about.st_mode)) {
         *expected = "a scene file";
         return S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe";
     }

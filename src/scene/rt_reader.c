@@ -38,20 +38,18 @@ static void copy_word(rt_word w, char text[OPTION_BYTES])
     text[length] = '\0';
 }
 
-/* `name` and the word behind it, if any. */
-static void read_option(rt_reader *r, rt_word name)
+/* The option that `name` stands for, and the word behind it, if any. */
+static void read_option_called(rt_reader *r, rt_word name, const char *option)
 {
     r->at = name.end;
     bool has_value = rt_more_fields(r);
     rt_word value = has_value ? rt_run_at(r, r->at) : name;
     r->at = value.end;
-    char name_text[OPTION_BYTES], value_text[OPTION_BYTES];
-    copy_word(name, name_text);
+    char value_text[OPTION_BYTES];
     copy_word(value, value_text);
     rt_options options = r->scene.options;
     rt_options_set which = 0;
-    const char *expected =
-        rt_set_option(&options, &which, name_text, has_value ? value_text : NULL);
+    const char *expected = rt_set_option(&options, &which, option, has_value ? value_text : NULL);
     if (expected) {
         rt_word both = {name.start, value.end};
         rt_fault(r, name.start, "option %s; expected %s", rt_quote(both).text, expected);
@@ -59,6 +57,19 @@ static void read_option(rt_reader *r, rt_word name)
     }
     set_by_scene(r, name.start, &options, which);
     rt_expect_end(r);
+}
+
+static void read_option(rt_reader *r, rt_word name)
+{
+    char option[OPTION_BYTES];
+    copy_word(name, option);
+    read_option_called(r, name, option);
+}
+
+/* In dialect 42 its word is of letters of any case. */
+static void read_falloff(rt_reader *r, rt_word identifier)
+{
+    read_option_called(r, identifier, "falloff");
 }
 
 static void read_resolution(rt_reader *r, rt_word identifier)
@@ -80,9 +91,9 @@ typedef struct {
 } line_kind;
 
 static const line_kind others[] = {
-    {.word = "L", .read = rt_read_light},     {.word = "A", .read = rt_read_ambient},
-    {.word = "C", .read = rt_read_camera},    {.word = "R", .read = read_resolution},
-    {.word = "falloff", .read = read_option}, {.word = NULL},
+    {.word = "L", .read = rt_read_light},      {.word = "A", .read = rt_read_ambient},
+    {.word = "C", .read = rt_read_camera},     {.word = "R", .read = read_resolution},
+    {.word = "falloff", .read = read_falloff}, {.word = NULL},
 };
 
 /* The first kind of which the word is. */

@@ -113,6 +113,9 @@ void rt_leave_out_name(rt_reader *r);
 /* A colour; in dialect 42 from behind what is none, or nothing where there is no other. */
 bool rt_read_color(rt_reader *r, const rt_field *f, void *of);
 
+/* How many faults of fields were noted. */
+size_t rt_errors(const rt_reader *r);
+
 /* False, and nothing was noted or passed over, where it is not as it should be. */
 bool rt_try_field(rt_reader *r, const rt_field *f, void *of);
 

@@ -9,6 +9,7 @@ import os
 import re
 import shlex
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -218,6 +219,17 @@ class OfAll(InFolder):
                 self.succeed("render", "pipe.rt", *words, "of_pipe")
             self.assertEqual(contents("of_pipe").replace(b"pipe.rt", b"scene.rt"),
                              contents("of_file"))
+
+    def test_a_socket_is_standard_input(self):
+        """Some start programs with sockets where others have pipes; Node does."""
+        words = ("--size", "8x8", "--quiet")
+        self.succeed("render", "scene.rt", "-o", "of_file.ppm", *words)
+        ours, theirs = socket.socketpair()
+        with theirs:
+            with ours:
+                ours.sendall(SCENE.encode())
+            self.succeed("render", "-", "-o", "of_socket.ppm", *words, stdin=theirs)
+        self.assertEqual(contents("of_socket.ppm"), contents("of_file.ppm"))
 
 
 # An output in the place of an input, which is `link`, another name of the file.

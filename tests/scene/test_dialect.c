@@ -228,6 +228,27 @@ TEST(scenes_of_others)
     ck_assert_int_gt(refused, 200);
 }
 
+/* What is no angle or side is a fault, and nothing else that is said to be left out. */
+TEST(fault_of_a_form)
+{
+    static const char *const lines[][2] = {
+        {"co 0,0,0 0,1,0 -3 300,0,0", "half-angle '-3' is out of range"},
+        {"co 0,0,0 0,1,0 0 300,0,0", "half-angle '0' is out of range"},
+        {"cu 0,0,0 1e999 300,0,0", "'1e999' is beyond the largest double"},
+        {"cu 0,0,0 0,1,0 -inf 300,0,0", "'-inf' is not a number"},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char text[TEXT];
+        sprintf(text, "%s%s\n", HEAD, lines[i][0]);
+        outcome o = read_by(text, "42");
+        ck_assert_msg(!o.good && strstr(o.messages, lines[i][1]) &&
+                          strstr(o.messages, "colour '300' is out of range") &&
+                          !strstr(o.messages, "left out"),
+                      "%s", o.messages);
+        outcome_free(&o);
+    }
+}
+
 /* A line that sets the dialect counts wherever it stands; what the command line says wins. */
 TEST(dialect_by_a_line)
 {
