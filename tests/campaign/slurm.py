@@ -22,8 +22,15 @@ IDLE_ROUNDS = 3  # in a row without a piece done nor begun
 SECONDS = 2     # between looks at the queue, at least
 
 
+def call(*words, **how):
+    try:
+        return subprocess.run(words, text=True, stdout=subprocess.PIPE, **how)
+    except OSError as error:
+        sys.exit(f"slurm.py: {words[0]}: {error.strerror}")
+
+
 def ask(*words, ok=(0,)):
-    done = subprocess.run(words, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    done = call(*words, stderr=subprocess.PIPE)
     if done.returncode not in ok:
         sys.exit(f"slurm.py: {shlex.join(words)}: {done.stderr.strip()}")
     return done
@@ -80,17 +87,22 @@ class Cluster:
         offset, array = array_of(missing, self.most)
         task = (f"#!/bin/sh\nexec {shlex.join([self.campaign, 'work', self.manifest])} "
                 f"$(({offset} + SLURM_ARRAY_TASK_ID)) {shlex.join([self.folder, *more])}\n")
-        done = subprocess.run(["sbatch", "--parsable", "--requeue", f"--array={array}",
-                               f"--output={self.logs}/%A_%a.txt", *self.sbatch],
-                              input=task, text=True, stdout=subprocess.PIPE)
+        done = call("sbatch", "--parsable", "--requeue", f"--array={array}",
+                    f"--output={self.logs}/%A_%a.txt", *self.sbatch, input=task)
         if done.returncode != 0:
             sys.exit("slurm.py: sbatch took no job")
         return done.stdout.strip().partition(";")[0]
 
     def states(self, job):
-        """Of its tasks that have not ended."""
-        return run("squeue", "--noheader", "--array", f"--jobs={job}", "--format=%T",
-                   ok=(0, 1)).split()
+        """Of its tasks that have not ended; none, too, when the job is forgotten. A controller that
+        does not answer says neither: it is asked again."""
+        while True:
+            done = ask("squeue", "--noheader", "--array", f"--jobs={job}", "--format=%T",
+                       ok=(0, 1))
+            if done.returncode == 0 or "Invalid job id" in done.stderr:
+                return done.stdout.split()
+            print(f"slurm.py: {done.stderr.strip()}; asked again", file=sys.stderr, flush=True)
+            time.sleep(5 * SECONDS)
 
     def watch(self, job, left):
         total = sum(last - first + 1 for first, last in left)
