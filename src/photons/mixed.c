@@ -176,9 +176,8 @@ static fate travel(photon *p, sure_photon *landed)
     double mirror = at.material->mirror;
     if (meeting_is_clear(&at))
         return photon_pass_clear(p, &at) && !is_black(p->weight) ? TRAVELS : LOST;
-    /* The last mirror that is followed is matte, as to the backward tracer. */
-    bool mirrored = mirror > 0 && p->chain_left > 0;
-    if (mirrored && is_mirrored(p, mirror))
+    /* What the last mirror would send on is lost: its matte part gets no more for that. */
+    if (mirror > 0 && is_mirrored(p, mirror))
         return photon_reflect(p, &at) ? TRAVELS : LOST;
     return land(p, &at, landed) ? LANDED : LOST;
 }

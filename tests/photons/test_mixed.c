@@ -238,6 +238,22 @@ LOOP_TEST(power_that_lands, 2)
     expect_mean(&s, 0.5 * 8 * mirror * (1 - sqrt(0.5)) / 2, 0.04, "power");
 }
 
+/* Law 3, where the depth ends the way. Between two mirrors half of the light meets either first;
+ * the matte part of one mirror more gets its share, and not what would be sent on. */
+LOOP_TEST(power_that_lands_at_the_depth, 2)
+{
+    const sure_light lamp = {{0, 0, 1}, {1, 1, 1}, 8};
+    const sure_object objects[] = {plane(0, 0, 0, 0, 0, 1), plane(0, 0, 3, 0, 0, 1)};
+    const sure_material materials[] = {{.color = {1, 1, 1}, .mirror = 0.75},
+                                       {.color = {1, 1, 1}, .mirror = 0.5}};
+    const double below = 0.75 * 0.5, above = 0.5 * 0.25, both = 0.75 * 0.5;
+    const double share = _i ? below + both * 0.25 + above + both * 0.5 : below + above;
+    sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
+    scene.depth = 1 + _i;
+    sample s = power_of(&scene, 4, 4);
+    expect_mean(&s, 0.5 * 8 * share, 0.04, "power");
+}
+
 /* All directions that a lamp has, once each: what a clear ball about it lets through is all of its
  * light, since index 1 reflects nothing. */
 static const sure_light in_the_ball = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
