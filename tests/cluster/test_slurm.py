@@ -74,11 +74,11 @@ class Queue(InFolder):
             os.chmod(name, 0o755)
         put("lose", "")
 
-    def work(self, queue, *options):
+    def work(self, queue, *options, besides=os.environ["PATH"]):
         """What it ends with, prints and says, where the queue is told so."""
         put("queue", "".join(f"{status} {words}\n" for words, status in queue))
         said, told = io.StringIO(), io.StringIO()
-        with mock.patch.dict(os.environ, PATH=f"{os.getcwd()}/bin:{os.environ['PATH']}"), \
+        with mock.patch.dict(os.environ, PATH=f"{os.getcwd()}/bin:{besides}"), \
                 mock.patch.object(slurm, "SECONDS", 0), \
                 mock.patch.object(sys, "argv", ["slurm.py", "campaign", "manifest", "pieces",
                                                 "record", *options]), \
@@ -126,7 +126,8 @@ class Queue(InFolder):
         put("refuse", "")
         self.assertEqual(self.work([])[0], "slurm.py: sbatch took no job")
         os.remove("bin/scontrol")
-        self.assertEqual(self.work([])[0], "slurm.py: scontrol: No such file or directory")
+        self.assertEqual(self.work([], besides="")[0],
+                         "slurm.py: scontrol: No such file or directory")
         put("campaign", "#!/bin/sh\necho no manifest >&2\nexit 2\n")
         put("bin/scontrol", "#!/bin/sh\necho 'MaxArraySize = 2'\n")
         os.chmod("bin/scontrol", 0o755)
