@@ -73,25 +73,32 @@ static sure_status wall_hit(const sure_ray *ray, const sure_object *solid, sure_
 #undef ASK
 }
 
-/* In any environment. */
+static int exact_wall_side(const sure_ray *ray, const sure_object *solid)
+{
+    return is_pointed(solid) ? sure_cone_wall_side_exact(ray, &solid->as.cone)
+                             : sure_cylinder_wall_side_exact(ray, &solid->as.cylinder);
+}
+
+static sure_status exact_wall_hit(const sure_ray *ray, const sure_object *solid, sure_hit *hit)
+{
+    return is_pointed(solid) ? sure_cone_wall_hit_exact(ray, &solid->as.cone, hit)
+                             : sure_cylinder_wall_hit_exact(ray, &solid->as.cylinder, hit);
+}
+
+/* In any environment. A side of what is invalid is not asked. */
 static bool exact_wall_broken(const sure_ray *ray, const sure_object *solid, sure_status right,
                               double t)
 {
-    bool broken = false;
+    bool broken = false, valid = right != SURE_INVALID;
+    int side = valid ? reference_wall_side(ray, solid) : 0;
     for (int i = 0; i < SURROUNDINGS && !broken; i++) {
         sure_hit hit;
-        int side = right == SURE_INVALID ? 0 : reference_wall_side(ray, solid);
         surroundings_set(i);
-        if (right != SURE_INVALID)
-            broken = side != (is_pointed(solid)
-                                  ? sure_cone_wall_side_exact(ray, &solid->as.cone)
-                                  : sure_cylinder_wall_side_exact(ray, &solid->as.cylinder));
-        sure_status given = is_pointed(solid)
-                                ? sure_cone_wall_hit_exact(ray, &solid->as.cone, &hit)
-                                : sure_cylinder_wall_hit_exact(ray, &solid->as.cylinder, &hit);
+        int given_side = valid ? exact_wall_side(ray, solid) : 0;
+        sure_status given = exact_wall_hit(ray, solid, &hit);
         surroundings_set(0);
-        broken =
-            given != right || (given == SURE_HIT && (hit.t != t || hit.part != SURE_PART_WALL));
+        broken = given_side != side || given != right ||
+                 (given == SURE_HIT && (hit.t != t || hit.part != SURE_PART_WALL));
     }
     return broken;
 }
