@@ -313,8 +313,6 @@ TEST(any_order_and_grouping)
             ck_assert(partial_film_add(&sum[to], &sum[from]));
             ck_assert(ranges_overlap(&sum[to].ranges, &sum[from].ranges, &both));
             partial_film_free(&sum[from]);
-            if (to == left - 1)
-                to = from;
             sum[from] = sum[left - 1];
         }
         write_well(&sum[0]);
