@@ -146,6 +146,26 @@ class Faults(InFolder):
                                       (ON_A_PIPE, "garbage", "garbage")):
             self.assertEqual(self.row(subject, ROW, wrong=wrong)["faults"][fault], sixteenth)
 
+    def test_what_is_not_written_is_no_status(self):
+        """Nor is what the block before has left."""
+        put("silent.c", '''
+#include <surehit/candidate.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+void sure_candidate_sphere_many(int count, const double *rays, const double *spheres, int *statuses,
+                                sure_candidate_hit *hits)
+{
+    static int calls;
+    for (int i = 0; calls < 3 && i < count; i++) /* of one block: forwards, and half by half */
+        statuses[i] = SURE_CANDIDATE_MISS;
+    calls++;
+    (void)rays, (void)spheres, (void)hits;
+}
+''')
+        subprocess.run([*CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "silent.c",
+                        "-o", "silent.so"], check=True)
+        row = self.row(["--candidate", "./silent.so"], "--regime typical --count 10000")
+        self.assertGreater(row["faults"]["garbage"], 1000)
+
     def test_remembering_shows_in_the_order(self):
         """Backwards each case has another one before it, and not only the first."""
         row = self.row(ONE, ROW, wrong="remembers")
