@@ -73,10 +73,10 @@ export function startJudge(library, judgeModule) {
 
     /* The smallest counterexamples. */
 
-    function addWorst(one) {
+    function worstOf(one, margin) {
         const told = [one.shape, one.regime, one.event && one.event !== 'clear' ? one.event : '',
                       one.ulps ? `${short(one.ulps)} ulps` : '',
-                      one.margin ? `wrong by ${short(one.margin)} ${UNITS[asked.margin]}`
+                      one.margin ? `wrong by ${short(one.margin)} ${UNITS[margin]}`
                                  : ''].filter(Boolean);
         return element('div', { class: 'worst' },
             element('h3', {}, `${one.kind} (${told.join(', ')})`),
@@ -113,13 +113,14 @@ export function startJudge(library, judgeModule) {
         if (typeof code !== 'string' || typeof words !== 'string' ||
             !Object.hasOwn(UNITS, margin) || !counts.includes(String(count)))
             throw new TypeError('it is no verdict’s');
-        told.forEach(one => library.readCase(one.case));
+        told.forEach(one => worstOf(one, margin));
     }
 
     function showWorst(heading) {
         $('judge-worst').replaceChildren();
         if (worst.length > 0)
-            $('judge-worst').append(element('h2', {}, heading), ...worst.map(addWorst));
+            $('judge-worst').append(element('h2', {}, heading),
+                                     ...worst.map(one => worstOf(one, asked.margin)));
     }
 
     /* Running. */

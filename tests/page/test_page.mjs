@@ -316,7 +316,8 @@ test('a link holds what was judged, and what is none changes nothing', { timeout
     const good = { code, entry: '', margin: 'size', count: 100, worst: [] };
     for (const bad of [null, {}, { ...good, code: 1 }, { ...good, margin: 'x' },
                        { ...good, count: 7 }, { ...good, worst: null },
-                       { ...good, worst: [{ case: 'sphere 1' }] }])
+                       { ...good, worst: [{ case: 'sphere 1' }] },
+                       { ...good, worst: [{ case: `sphere ${'0x1p+0 '.repeat(11)}0x1p+0` }] }])
         await visit({ width: 1280 }, linkTo(bad), async other => {
             await other.until(`${status}.startsWith('This link can’t be read')`);
             assert.match(await other.evaluate('document.getElementById("judge-code").value'),
