@@ -70,10 +70,10 @@
 #define plane_rounded_hit surehit_plane_rounded_hit
 #define plane_row surehit_plane_row
 #define plane_surface_row surehit_plane_surface_row
+#define query_from_start surehit_query_from_start
 #define query_of surehit_query_of
 #define query_side surehit_query_side
 #define query_side_exact surehit_query_side_exact
-#define query_start_side surehit_query_start_side
 #define rational_t surehit_rational_t
 #define round_linear surehit_round_linear
 #define round_linear_vector surehit_round_linear_vector

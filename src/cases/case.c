@@ -3,6 +3,7 @@
 #include "../geometry/coordinate.h"
 
 #include "../numbers/digits/hex_float.h"
+#include "../numbers/places.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -125,18 +125,5 @@ NUMBER_OPERATION(mod128, mul, ((mod128){uint128_mul(x.low, y.low), x.exponent + 
                  mod128 x, mod128 y)
 NUMBER_OPERATION(mod128, square, mod128_mul(context, x, x), mod128 x)
 
-/* Is x, of at most that magnitude, read off its low bits: less than 2^127 units? */
-static inline bool mod128_is_whole(double magnitude, mod128 x)
-{
-    return is_finite_bits(magnitude) && exponent_of(magnitude) + 2 <= x.exponent + MOD128_BITS - 1;
-}
-
-/* The sign of x, of at most that magnitude; false where it is not whole. */
-static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
-{
-    *sign = mod128_is_negative(x) ? -1 : !mod128_is_zero(x);
-    return mod128_is_whole(magnitude, x);
-}
-
 #define NUMBER mod128
 #include "vector_tmpl.h"

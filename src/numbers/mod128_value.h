@@ -1,9 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* From integers modulo 2^128 to double-doubles. */
+/* What integers modulo 2^128 are, of a known magnitude: signs, double-doubles. */
 #pragma once
 
 #include "ddb.h"
 #include "mod128.h"
+
+/* Is x, of at most that magnitude, read off its low bits: less than 2^127 units? */
+static inline bool mod128_is_whole(double magnitude, mod128 x)
+{
+    return is_finite_bits(magnitude) && exponent_of(magnitude) + 2 <= x.exponent + MOD128_BITS - 1;
+}
+
+/* The sign of x, of at most that magnitude; false where it is not whole. */
+static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
+{
+    *sign = mod128_is_negative(x) ? -1 : !mod128_is_zero(x);
+    return mod128_is_whole(magnitude, x);
+}
 
 /* The double nearest to x. */
 static inline double uint128_rounded(uint128 x)

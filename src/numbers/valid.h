@@ -3,7 +3,7 @@
  * are taken for zero. */
 #pragma once
 
-#include "bits.h"
+#include "places.h"
 
 #include <surehit/vector.h>
 

@@ -4,9 +4,9 @@
  * them twice. An end that is NaN makes the interval empty. */
 #pragma once
 
-#include "../numbers/hit.h"
 #include "../numbers/real.h"
 #include "../numbers/vec3.h"
+#include "../stages/decision.h"
 
 #include <surehit/object.h>
 
@@ -182,7 +182,7 @@ static inline sure_status span_first_hit(const span_first *first, const real_ray
 {
     real t_min = ray->t_min, t_max = ray->t_max;
     bool hits = first->met & (t_min <= first->t) & (first->t <= t_max);
-    hit_where(hits, (sure_hit){first->t, INFINITY, first->part, first->leaves}, hit);
+    hit_where(-(uint64_t)hits, (sure_hit){first->t, INFINITY, first->part, first->leaves}, hit);
     return hits ? SURE_HIT : SURE_MISS;
 }
 

@@ -1,13 +1,49 @@
 /* SPDX-License-Identifier: MIT */
-/* certain's answer to one ray before a solid, without a branch: at which end the ray hits, and
- * whether it does, is as good as random. It is filter_first, but the end is chosen first, and what
- * else must be certain is asked of that end alone. docs/proofs/stages.md. */
+/* Answers without a branch: whether a ray hits, and by which end of a chord, is as good as random.
+ * docs/proofs/stages.md */
 #pragma once
 
-#include "../numbers/hit.h"
 #include "filter.h"
 
-/* The end that the ray hits, if it hits one: the first, or from behind it the second. */
+#include <surehit/answer.h>
+
+#include <stddef.h>
+#include <string.h>
+
+/* part and leaves, as the bytes of one number. */
+static inline void *hit_names(sure_hit *hit)
+{
+    return (char *)hit + offsetof(sure_hit, part);
+}
+
+/* That number. By shifts: two halves that have just been stored are no number yet for a while. */
+static inline uint64_t hit_names_of(sure_hit answer)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return (uint64_t)(uint32_t)answer.leaves << 32 | (uint32_t)answer.part;
+#else
+    uint64_t names;
+    memcpy(&names, hit_names(&answer), sizeof names);
+    return names;
+#endif
+}
+
+/* *hit = answer where `met` is all ones, and stays as it is where that is 0. The place is written
+ * in any case: a store to one that is chosen late holds up the loads behind it, by chance of where
+ * the code lies. */
+static inline void hit_where(uint64_t met, sure_hit answer, sure_hit *hit)
+{
+    uint64_t names = hit_names_of(answer), before;
+    memcpy(&before, hit_names(hit), sizeof before);
+    names = filter_either_bits(met, names, before);
+    hit->t = filter_either(met, answer.t, hit->t);
+    hit->t_error = filter_either(met, answer.t_error, hit->t_error);
+    memcpy(hit_names(hit), &names, sizeof names);
+}
+
+/* What certain says of one ray before a solid: as filter_first, but the end is chosen before, and
+ * what else must be certain is asked of that end alone. It is the first, or from behind it the
+ * second. */
 typedef struct {
     uint64_t leaves;       /* all ones: the second */
     double start, t, deep; /* from t_min to the first end; its t; how far that is in the range */
@@ -22,21 +58,25 @@ static INLINED decision_end decision_end_of(double enter, double leave, const su
 }
 
 typedef struct {
-    bool certain, meets;
+    bool certain;
+    uint64_t meets; /* all ones, or 0 */
     sure_hit hit;
 } decided;
 
-/* first_error: of the first end; error: of the one chosen. found: is that certainly an end of the
- * chord, on `part`? none: is there certainly no chord? Not of a range of one point. */
-static INLINED decided decision_of(const decision_end *at, double first_error, double error,
-                                   bool found, bool none, uint64_t part, const sure_ray *ray)
+/* chord: positive where the line has one, negative where it has none, if that is `known`. clear: is
+ * the chosen end then on `part`? first_error: of the first end; error: of the chosen one. Not of a
+ * range of one point. */
+static INLINED decided decision_of(const decision_end *at, double chord, bool known, bool clear,
+                                   double first_error, double error, uint64_t part,
+                                   const sure_ray *ray)
 {
     uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
-    bool chosen = found & (fabs(at->start) > first_error);
-    bool meets = chosen & (at->deep > error), misses = none | (chosen & (-at->deep > error));
+    double beyond = filter_lesser(fabs(at->start) - first_error, fabs(at->deep) - error);
+    uint64_t none = bits_of(chord) >> 63, out = none | bits_of(at->deep) >> 63;
     return (decided){
-        .certain = least < most && most <= FILTER_ENDLESS && bits_unknown(meets | misses) != 0,
-        .meets = meets,
+        .certain = least < most && most <= FILTER_ENDLESS &&
+                   bits_unknown(known & (none | (uint64_t)(clear & (beyond > 0)))) != 0,
+        .meets = out - 1,
         .hit = {at->t, error, (sure_part)part, (int)(at->leaves & 1)},
     };
 }

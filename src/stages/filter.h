@@ -10,10 +10,29 @@
 #include "../numbers/dd.h"
 #endif
 
+#include "../numbers/number.h"
+
 #include <surehit/bounds.h>
 #include <surehit/ray.h>
 
 #include <stdbool.h>
+
+/* A double as one of the numbers of number.h. */
+typedef double f64;
+typedef no_context f64_context;
+
+NUMBER_OPERATION(f64, of, x, f64 x)
+NUMBER_OPERATION(f64, difference_of, x - y, f64 x, f64 y)
+NUMBER_OPERATION(f64, negate, -x, f64 x)
+NUMBER_OPERATION(f64, add, x + y, f64 x, f64 y)
+NUMBER_OPERATION(f64, sub, x - y, f64 x, f64 y)
+NUMBER_OPERATION(f64, mul, (x) * (y), f64 x, f64 y)
+NUMBER_OPERATION(f64, square, (x) * (x), f64 x)
+
+#define NUMBER f64
+#define NUMBER_HAS_SUB
+#include "../numbers/vector_tmpl.h"
+#undef NUMBER_HAS_SUB
 
 /* The interval that a line shares with a closed convex shape, by name: which points of the line its
  * two ends are. Names can be certain where numbers are rounded, so this is what every stage of

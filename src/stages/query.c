@@ -151,7 +151,8 @@ NOT_INLINED int query_side_exact(const shape_row *row, const void *shape, sure_v
     return row->surface->side_exact(&c, shape, p);
 }
 
-int query_start_side(const shape_row *row, const query *q, sure_stage *stage)
+/* Of the start, by double-doubles, and where they can't tell exactly. */
+static int start_side(const shape_row *row, const query *q, sure_stage *stage)
 {
     bool known;
     int side;
@@ -160,4 +161,27 @@ int query_start_side(const shape_row *row, const query *q, sure_stage *stage)
         return side;
     *stage = SURE_STAGE_EXACT;
     return query_side_exact(row, q->shape, q->ray->origin);
+}
+
+filter_verdict query_from_start(const shape_row *row, const query *q, filter_interval *found,
+                                filter_end *first, sure_stage *stage)
+{
+    filter_end *enter = &found->enter, *leave = &found->leave;
+    if (!row->info.solid || bits_of(q->ray->t_min) != 0 || !filter_range(q->ray))
+        return FILTER_UNCERTAIN;
+    const int side = start_side(row, q, stage);
+    const bool behind = -enter->t > enter->error, ahead = leave->t > leave->error;
+    if (side == 0) {
+        filter_end *at = ahead ? enter : leave;
+        at->t = at->error = 0;
+        return ahead != behind ? filter_first_known(found, q->ray, first) : FILTER_UNCERTAIN;
+    }
+    if (side > 0 && behind)
+        return FILTER_MISS;
+    if (side > 0 && !ahead)
+        return FILTER_UNCERTAIN;
+    *first = side > 0 ? *enter : *leave;
+    if (q->ray->t_max - first->t > first->error)
+        return FILTER_INTERVAL;
+    return first->t - q->ray->t_max > first->error ? FILTER_MISS : FILTER_UNCERTAIN;
 }

@@ -44,8 +44,12 @@ static inline bool query_unscale(const query *q, double t, double *asked)
     return query_shift(t, q->t_exponent, asked);
 }
 
-/* On which side a point is (surface.h), if double-doubles tell, round to nearest; or exactly. The
- * start's is told by the former, and where they can't by the latter, which is then *stage. */
+/* On which side a point is (surface.h), if double-doubles tell, round to nearest; or exactly. */
 bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side);
 int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p);
-int query_start_side(const shape_row *row, const query *q, sure_stage *stage);
+
+/* A ray from t = 0 on with an end next to its start: from within it leaves by the second end; from
+ * outside both are ahead or both behind, as the one that is farther off tells: t* > 0, whatever is
+ * said of it. On the boundary the end next to it is at 0. *stage: which told the start's side. */
+filter_verdict query_from_start(const shape_row *row, const query *q, filter_interval *found,
+                                filter_end *first, sure_stage *stage);

@@ -60,32 +60,6 @@ static bool take_tangent(const shape_row *row, const query *q, const filter_end 
     return after == 0 || beyond == 0;
 }
 
-/* A ray from t = 0 on with an end next to its start: from within it leaves by the second end; from
- * outside both are ahead or both behind, as the one that is farther off tells: t* > 0, whatever is
- * said of it. On the boundary the end next to it is at 0. */
-static filter_verdict first_from_start(const shape_row *row, const query *q, filter_interval *found,
-                                       filter_end *first, sure_stage *stage)
-{
-    filter_end *enter = &found->enter, *leave = &found->leave;
-    if (!row->info.solid || bits_of(q->ray->t_min) != 0 || !filter_range(q->ray))
-        return FILTER_UNCERTAIN;
-    const int side = query_start_side(row, q, stage);
-    const bool behind = -enter->t > enter->error, ahead = leave->t > leave->error;
-    if (side == 0) {
-        filter_end *at = ahead ? enter : leave;
-        at->t = at->error = 0;
-        return ahead != behind ? filter_first_known(found, q->ray, first) : FILTER_UNCERTAIN;
-    }
-    if (side > 0 && behind)
-        return FILTER_MISS;
-    if (side > 0 && !ahead)
-        return FILTER_UNCERTAIN;
-    *first = side > 0 ? *enter : *leave;
-    if (q->ray->t_max - first->t > first->error)
-        return FILTER_INTERVAL;
-    return first->t - q->ray->t_max > first->error ? FILTER_MISS : FILTER_UNCERTAIN;
-}
-
 static bool take_first(const shape_row *row, const query *q, const filter_interval *found,
                        staged *answer)
 {
@@ -100,7 +74,7 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     if (verdict == FILTER_UNCERTAIN) {
         if (answer->stage == SURE_STAGE_DOUBLE)
             answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
-        verdict = first_from_start(row, q, &ends, &first, &answer->stage);
+        verdict = query_from_start(row, q, &ends, &first, &answer->stage);
     }
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
@@ -192,43 +166,6 @@ static bool refined_hit(const shape_row *row, const query *q, staged *answer)
     return unscaled_hit(q, answer->wanted, &answer->hit);
 }
 
-/* Its room is a few KB of the stack. */
-NOT_INLINED sure_status stages_last_hit(const shape_row *row, const sure_ray *ray,
-                                        const void *shape, t_wanted wanted, sure_hit *hit)
-{
-    exact_arena room;
-    exact_context c = exact_start(&room);
-    line_coefficients l;
-    tagged_end first;
-    bool leaves;
-    sure_status status = line_hit(&c, ray, row, shape, &l, &first, &leaves);
-    if (status != SURE_HIT || wanted == T_NONE) /* t's rounding takes longer than all else */
-        return status;
-    double t = round_t(&c, ray, &l, first.at);
-    bool known = first.at == END_START ||
-                 (wanted == T_CERTAIN && is_finite_bits(t) &&
-                  line_compare(&c, &l, first.at, exact_of(&c, t), exact_of(&c, 1)) == 0);
-    *hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part, leaves};
-    return status;
-}
-
-NOT_INLINED sure_status stages_last_interval(const shape_row *row, const sure_ray *ray,
-                                             const void *shape, sure_interval *interval)
-{
-    exact_arena room;
-    exact_context c = exact_start(&room);
-    line_coefficients l;
-    tagged_interval ends;
-    sure_status status = line_interval(&c, ray, row, shape, &l, &ends);
-    if (status != SURE_HIT)
-        return status;
-    bool endless = ends.enter.at == END_ENDLESS;
-    *interval = (sure_interval){endless ? -INFINITY : round_t(&c, ray, &l, ends.enter.at),
-                                endless ? INFINITY : round_t(&c, ray, &l, ends.leave.at),
-                                ends.enter.part, ends.leave.part};
-    return status;
-}
-
 /* 2. Better coefficients: double-doubles, then integers modulo 2^128.
  * 3. Both stages again for a query that is scaled into their range.
  * 4. Exact integers. */
@@ -280,13 +217,12 @@ NOT_INLINED sure_status stages_occluded(const sure_ray *ray, const void *shape,
 {
     filter_interval found;
     filter_end first;
+    sure_hit unused;
+    sure_stage stage;
     filter_verdict verdict = stages_first(row->filter, ray, shape, &found, &first);
-    staged answer = {.wanted = T_NONE, .status = SURE_HIT};
-    if (verdict == FILTER_MISS)
-        answer.status = SURE_MISS;
-    else if (verdict == FILTER_UNCERTAIN)
-        answer_rest(row, ray, shape, &answer);
-    return answer.status;
+    if (verdict != FILTER_UNCERTAIN)
+        return verdict == FILTER_MISS ? SURE_MISS : SURE_HIT;
+    return stages_rest_of_hit(ray, shape, &unused, row, T_NONE, &stage);
 }
 
 NOT_INLINED sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit *hit,

@@ -24,7 +24,7 @@ static exact_context start_watched(exact_arena *room)
 #define exact_arena static exact_arena
 #define exact_start start_watched
 #include "../../src/stages/hits/rounded.c"
-#include "../../src/stages/stages.c"
+#include "../../src/stages/last/last.c"
 #undef exact_arena
 #undef exact_start
 

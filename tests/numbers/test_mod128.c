@@ -7,6 +7,7 @@
 #include "../support/true_number.h"
 
 #include "../../src/numbers/mod128_value.h"
+#include "../../src/numbers/places.h"
 
 enum { DRAWS = 20000 };
 

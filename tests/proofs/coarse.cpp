@@ -85,6 +85,10 @@ static void check_first(account *of, const filter_interval &found, const sure_ra
 }
 
 /* What single calls ask first, where that is not the filter. */
+static decided decide(const sure_ray &ray, const sure_sphere &sphere)
+{
+    return sphere_decide(&ray, &sphere);
+}
 static decided decide(const sure_ray &ray, const sure_box &box)
 {
     return box_decide(&ray, &box);
@@ -116,7 +120,7 @@ static void check_decided(account *of, const query &q, const truth &true_one, co
         SURE_EACH_SHAPE(SAID)
     }
     of->decided += said.certain;
-    if (said.certain && said.meets != (true_one.hits != 0))
+    if (said.certain && (said.meets != 0) != (true_one.hits != 0))
         fault(of, "a wrong decision", x);
     if (said.certain && said.meets && true_one.hits &&
         !(static_cast<int>(said.hit.part) == true_one.hit_part &&

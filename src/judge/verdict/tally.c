@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tally.h"
 
-#include "../../numbers/bits.h"
+#include "../../numbers/places.h"
 
 #include <math.h>
 #include <string.h>

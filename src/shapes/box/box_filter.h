@@ -288,9 +288,8 @@ static INLINED decided box_decide(const sure_ray *ray, const sure_box *box)
     uint64_t face = filter_either_bits(
         filter_all(on_x), box_first_face(d->x, 0),
         filter_either_bits(filter_all(on_y), box_first_face(d->y, 2), box_first_face(d->z, 4)));
-    return decision_of(&at, box_error(enter), error,
-                       (gap > margin) & (fabs(at.t - other) > BOX_CLEAR * error), -gap > margin,
-                       SURE_PART_X_MIN + (face ^ (at.leaves & 1)), ray);
+    return decision_of(&at, gap, fabs(gap) > margin, fabs(at.t - other) > BOX_CLEAR * error,
+                       box_error(enter), error, SURE_PART_X_MIN + (face ^ (at.leaves & 1)), ray);
 }
 
 #endif

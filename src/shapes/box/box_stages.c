@@ -2,7 +2,7 @@
 /* The box for certain and exact: what it gives to the stages, and what is asked of a hit. And
  * stable's guess: as textbook has it. */
 #include "../../numbers/ddb.h"
-#include "../../numbers/mod128.h"
+#include "../../numbers/mod128_value.h"
 #include "../../numbers/valid.h"
 #include "../../stages/hits/normal.h"
 #include "../../stages/last/line.h"

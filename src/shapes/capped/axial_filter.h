@@ -7,7 +7,6 @@
  * */
 #pragma once
 
-#include "../../numbers/f64.h"
 #include "../../stages/filter.h"
 
 #ifndef LANES
@@ -209,14 +208,14 @@ static inline filter_verdict axial_chord(const axial_line *l, double d_d, double
 
 /* axial_decide and filter_first without a branch: the end is chosen before what it is is told. */
 static INLINED decided axial_answer(const axial_line *l, double d_d, double size,
-                                     const sure_ray *ray)
+                                    const sure_ray *ray)
 {
     const axial_gaps gaps = axial_gaps_of(l);
     const decision_end at = decision_end_of(filter_greater(axial_low(l), l->less),
                                             filter_lesser(axial_high(l), l->more), ray);
     double beyond = filter_either(at.leaves, gaps.after, gaps.before);
-    return decision_of(&at, axial_end_error(l, gaps.before), axial_end_error(l, beyond),
-                       axial_meets(l, &gaps, d_d, size), axial_misses(l, &gaps),
+    return decision_of(&at, gaps.common, axial_meets(l, &gaps, d_d, size) | axial_misses(l, &gaps),
+                       true, axial_end_error(l, gaps.before), axial_end_error(l, beyond),
                        axial_end_part(beyond, ~(filter_mask(l->e) ^ at.leaves)), ray);
 }
 

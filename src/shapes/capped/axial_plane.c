@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "capped_stages.h"
 
-#include "../../numbers/mod128.h"
+#include "../../numbers/mod128_value.h"
 
 /* How much A.d, A.m and A.m - A.A may be where they may be zero, as shares of |A| |d| and |A|
  * sqrt(size): more than their rounding errors, 4, 5 and 10 2^-52 (docs/proofs/axial_filter.md). */

@@ -6,7 +6,7 @@
 #include "../../numbers/ddb.h"
 #include "../../numbers/environment.h"
 #include "../../numbers/exact.h"
-#include "../../numbers/mod128.h"
+#include "../../numbers/mod128_value.h"
 #include "../../numbers/valid.h"
 
 #include <surehit/cone_height.h>

@@ -3,12 +3,10 @@
  * (docs/proofs/height.md). */
 #pragma once
 
-#include "../../numbers/f64.h"
-#include "../../numbers/most.h"
+#include "../../stages/filter.h"
 
-#include <surehit/bounds.h>
+#include "../../numbers/most.h" /* a type, where variables in filter.h have its name */
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* height_tmpl.h says of what the sign is asked. */

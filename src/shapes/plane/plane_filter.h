@@ -6,10 +6,10 @@
  * Vectors are measured by |v|, here the sum of their components' magnitudes: |h| <= |N| |m|. */
 #pragma once
 
-#ifndef LANES
-#include "../../numbers/hit.h"
-#endif
 #include "../../stages/filter.h"
+#ifndef LANES
+#include "../../stages/decision.h"
+#endif
 
 #include <surehit/plane.h>
 
@@ -166,7 +166,7 @@ static inline filter_verdict flat_hit(const flat_decision *said, sure_hit *hit)
 {
     if (!said->certain)
         return FILTER_UNCERTAIN;
-    hit_where(said->meets, flat_hit_at(&said->at), hit);
+    hit_where(-(uint64_t)said->meets, flat_hit_at(&said->at), hit);
     return said->meets ? FILTER_INTERVAL : FILTER_MISS;
 }
 

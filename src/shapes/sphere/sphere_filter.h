@@ -7,8 +7,10 @@
  * D is measured by M = d.d (m.m + r^2), which is all of its terms made positive. */
 #pragma once
 
-#include "../../numbers/f64.h"
 #include "../../stages/filter.h"
+#ifndef LANES
+#include "../../stages/decision.h"
+#endif
 
 #define NUMBER f64
 #include "sphere_tmpl.h"
@@ -98,30 +100,40 @@ static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const su
 {
     sphere_close_terms close = sphere_close_terms_of(of, sphere->radius);
     double discriminant = close.discriminant, off = sphere_close_off(&close);
-    if (!sphere_fits(sphere, of))
-        return FILTER_UNCERTAIN;
     if (!(discriminant > off))
         return filter_miss_if(-discriminant > off, ray);
     double root = sqrt(discriminant);
     return sphere_found(of, root, sphere_close_error(of, &close, off, root), found);
 }
 
-/* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should
- * not wait. */
 static INLINED filter_verdict sphere_filter(const sure_ray *ray, const void *shape,
                                             filter_interval *found)
 {
     const sure_sphere *sphere = (const sure_sphere *)shape;
     sphere_terms of = sphere_terms_of(ray, sphere);
-    if (sphere_crosses(&of)) {
-        if (!sphere_fits(sphere, &of))
-            return FILTER_UNCERTAIN;
-        double root = sqrt(of.discriminant);
-        return sphere_found(&of, root, sphere_error(&of, root), found);
-    }
-    if (sphere_misses(&of) && sphere_fits(sphere, &of))
+    if (!sphere_fits(sphere, &of))
+        return FILTER_UNCERTAIN;
+    if (sphere_misses(&of))
         return filter_miss_if(true, ray);
-    return sphere_filter_closely(ray, sphere, &of, found);
+    if (!sphere_crosses(&of))
+        return sphere_filter_closely(ray, sphere, &of, found);
+    double root = sqrt(of.discriminant);
+    return sphere_found(&of, root, sphere_error(&of, root), found);
+}
+
+/* Without a branch but for the range, which can be foreseen: whether the line crosses the sphere
+ * can't. Where it does not the root is that of another number, and nothing is made of it. */
+static INLINED decided sphere_decide(const sure_ray *ray, const sure_sphere *sphere)
+{
+    const sphere_terms of = sphere_terms_of(ray, sphere);
+    double size = fabs(of.discriminant), root = sqrt(size), error = sphere_error(&of, root);
+    if (!sphere_fits(sphere, &of))
+        return (decided){.certain = false};
+    double minus_per_a = -1 / of.a;
+    const decision_end at =
+        decision_end_of((of.b + root) * minus_per_a, (of.b - root) * minus_per_a, ray);
+    return decision_of(&at, of.discriminant, size > SURE_SPHERE_CERTAIN * (of.a * of.size), true,
+                       error, error, SURE_PART_SURFACE, ray);
 }
 
 /* |p|^2 - r^2 for a point near the sphere, in twice the precision: off by at most 64 2^-106 times

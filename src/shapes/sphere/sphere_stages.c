@@ -96,8 +96,9 @@ const shape_row sphere_row = {
 
 sure_status sure_sphere_hit_certain(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit)
 {
-    sure_stage unused;
-    return stages_hit(&sphere_row, ray, sphere, T_CERTAIN, hit, &unused);
+    const decided said = sphere_decide(ray, sphere);
+    return said.certain ? decision_tell(&said, hit)
+                        : stages_certain_hit(ray, sphere, hit, &sphere_row);
 }
 
 STAGES_QUESTIONS(sphere)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../../numbers/places.h"
 #include "../floats.h"
 
 #include "../rows.h"

@@ -10,7 +10,6 @@
  * known too badly, the box of all neighbours is tried. Every point is tested exactly. */
 #include <surehit/spawn.h>
 
-#include "../../numbers/bits.h"
 #include "../../numbers/environment.h"
 #include "../../numbers/valid.h"
 #include "../query.h"

@@ -9,6 +9,7 @@
  * it. docs/proofs/spawn.md counts the bounds. */
 #pragma once
 
+#include "../../numbers/places.h"
 #include "spawn_surface.h"
 
 /* A shape's spawn_quick in one piece, which lets the numbers stay in registers. True and *origin

@@ -9,6 +9,8 @@
  */
 #include "guess.h"
 
+#include "../../numbers/places.h"
+
 #include <assert.h>
 
 #define NUMBER exact
