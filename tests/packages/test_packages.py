@@ -88,7 +88,7 @@ class Packages(Trial):
                  f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
 
     def found_by_cmake(self, prefix, folder):
-        self.cmake(prefix, folder, self.version)
+        self.cmake(prefix, folder, f"{self.version} EXACT")
         self.run("cmake", "--build", folder)
         for kind in ("surehit", "static"):
             self.check_program(f"{folder}/by_{kind}")
@@ -96,9 +96,10 @@ class Packages(Trial):
             raise Fault("surehit::static is shared")
 
     def check_cmake(self):
-        """And a release that is not there is not found."""
+        """Exactly and by its release; and a release that is not there is not found."""
         self.found_by_cmake(self.scratch / "prefix", "cmake/build")
-        for release in ("99.0", "0.1"):
+        self.cmake(self.scratch / "prefix", "cmake/other", self.version.rpartition(".")[0])
+        for release in ("99.0", "0.1", f"{self.version}.1"):
             try:
                 self.cmake(self.scratch / "prefix", "cmake/other", release)
             except Fault as fault:

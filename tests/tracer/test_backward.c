@@ -169,22 +169,25 @@ LOOP_TEST(test_mirror, SURE_TIERS)
     ck_seen(scene, {1, 0, 0});
 }
 
-/* The inside of a mirror ball: the ray leaves the wall and meets it on the far side. */
-LOOP_TEST(test_mirror_inside, SURE_TIERS)
+/* The inside of a mirror, a ball or a tube: the ray leaves it and meets it on the far side. */
+LOOP_TEST(test_mirror_inside, 2 * SURE_TIERS)
 {
-    sure_object objects[] = {sphere(0, 0, 0, 4)};
+    const sure_tier tier = (sure_tier)(_i % SURE_TIERS);
+    const bool is_tube = _i >= SURE_TIERS;
+    const sure_object tube = {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, -4}, {0, 0, 4}, 4}}};
+    sure_object objects[] = {is_tube ? tube : sphere(0, 0, 0, 4)};
     sure_scene scene = looking(objects, &red, 1, NULL, 0);
     sure_surface_point wall = {.object = 0, .point = {0, 0, -4}, .normal = {0, 0, 1}, .inside = 1};
     sure_ray back = {{0, 0, -4}, {0, 0, 2}, 0, INFINITY};
     sure_nearest nearest;
-    if (_i == SURE_TIER_CERTAIN || _i == SURE_TIER_EXACT) /* from where sure_spawn would */
+    if (tier == SURE_TIER_CERTAIN || tier == SURE_TIER_EXACT) /* from where sure_spawn would */
         back.origin.z = wall.point.z = -4 + 0x1p-51;
-    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
-                     SURE_HIT);
+    ck_assert_int_eq(sure_backward_nearest(&scene, tier, &back, &wall, &nearest), SURE_HIT);
     ck_double_same(nearest.hit.t, (4 - wall.point.z) / 2);
+    ck_assert_int_eq(nearest.hit.part, is_tube ? SURE_PART_TOP : SURE_PART_SURFACE);
+    ck_assert_int_eq(nearest.hit.leaves, 1);
     wall.inside = 0;
-    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
-                     SURE_MISS);
+    ck_assert_int_eq(sure_backward_nearest(&scene, tier, &back, &wall, &nearest), SURE_MISS);
 }
 
 /* Straight through the middle of a glass ball to a wall of white: what comes through both surfaces,
@@ -292,6 +295,8 @@ LOOP_TEST(test_law_1, SURE_TIERS)
     ck_seen(scene, {share, share * 0.75, share * 0.5});
     scene.falloff = SURE_FALLOFF_NONE;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), plain);
+    shiny.refract = 1; /* what is clear has the highlight alone */
+    ck_seen(scene, {32, 32, 32});
 }
 
 /* A rim that is touched from outside is seen from outside, though the cap's normal points away: a
@@ -362,6 +367,42 @@ TEST(test_leaves_at_its_end)
         ck_assert_int_eq(sure_scene_meets_again(&scene, tier, &ray, &inside, &hit), SURE_HIT);
         ck_assert_int_eq(hit.leaves, 1);
     }
+}
+
+/* A disc that the ray has gone past, to end below it, covers nothing; and no ray starts inside of a
+ * ball of radius 0. */
+TEST(test_starts)
+{
+    const sure_object passed[] = {plane(0, 0, -4, 0, 0, 1),
+                                  {SURE_SHAPE_DISC, {.disc = {{1, 0, -3}, {1, 0, 1}, 0.5}}}};
+    const sure_object point = sphere(0, 0, -4, 0);
+    const sure_material materials[] = {red, blue}, glass = {.refract = 1.5};
+    const sure_light light = {{0, 0, 0}, {1, 1, 1}, 1};
+    sure_scene scene = looking(passed, materials, 2, &light, 1);
+    sure_statistics beside = {0}, without = {0};
+    (void)sure_backward_pixel_told(&scene, SURE_TIER_CERTAIN, 0, 0, &beside);
+    ck_assert(beside.origins == 1 && beside.covered == 0);
+    scene = looking(&point, &glass, 1, NULL, 0);
+    (void)sure_backward_pixel_told(&scene, SURE_TIER_CERTAIN, 0, 0, &without);
+    ck_assert(without.origins == 1 && without.without_origin == 1);
+}
+
+/* The last pixel is that of what is added, all else a sum. No kind is beyond the last. */
+TEST(test_statistics_add)
+{
+    const sure_statistics more = {.seen = SURE_HIT,
+                                  .nearest = {.object = 3},
+                                  .acne = 2,
+                                  .stage = SURE_STAGE_EXACT,
+                                  .rays = {1, 0, 0, 7}};
+    sure_statistics sum = more;
+    sum.seen = SURE_MISS;
+    sum.stage = SURE_STAGE_DOUBLE;
+    sum.nearest.object = 1;
+    sure_statistics_add(&sum, &more);
+    ck_assert(sum.seen == SURE_HIT && sum.nearest.object == 3 && sum.stage == SURE_STAGE_EXACT);
+    ck_assert_ptr_null(sure_ray_kind_name((sure_ray_kind)SURE_RAY_KINDS));
+    ck_assert(sum.rays[0] == 2 && sum.rays[3] == 14 && sum.acne == 4 && sum.missed == 0);
 }
 
 SUITE("backward")

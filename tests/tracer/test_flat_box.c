@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A box with equal coordinates is drawn as the sheet it is. */
+#include "../../src/hierarchy/bvh_build.h"
 #include "suite.h"
 #include "small_scene.h"
 
@@ -124,22 +125,28 @@ TEST(test_starts)
     }
 }
 
-/* What goes through glass on it passes it unseen: that is counted, as of a disc. */
+/* What goes through glass on it passes it unseen: that is counted, as of a disc, a plane and a
+ * solid, with a hierarchy and without. */
 TEST(test_covered)
 {
     const sure_vec3 low = {-64, -64, 0.1}, high = {64, 64, 0.1}, n = {0, 0, 1};
-    const sure_object glass = plane(0, 0, 0.1, 0, 0, 1),
+    const sure_object flat = plane(0, 0, 0.1, 0, 0, 1), sheet = box(low, high),
+                      solid = box((sure_vec3){-64, -64, -64}, high),
                       disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, 0.1}, n, 64}}};
-    const sure_object pairs[2][2] = {{glass, box(low, high)}, {glass, disc}};
+    const sure_object pairs[4][2] = {{flat, sheet}, {flat, disc}, {disc, flat}, {disc, solid}};
     const sure_material materials[] = {materials_of[4], materials_of[0]};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4 * 2 * 2; i++) {
         sure_statistics told = {0};
-        sure_scene scene = looking(pairs[i % 2], materials, 2, NULL, 0);
-        face(&scene, 2, i < 2 ? 1 : -1);
+        sure_scene scene = looking(pairs[i % 4], materials, 2, NULL, 0);
+        sure_bvh bvh = {0};
+        ck_assert(bvh_build(scene.objects, 2, 1, &bvh));
+        scene.bvh = i < 8 ? &bvh : NULL;
+        face(&scene, 2, i / 4 % 2 ? -1 : 1);
         for (int k = 0; k < PIXELS; k++)
             (void)sure_backward_pixel_told(&scene, SURE_TIER_CERTAIN, k % SIZE, k / SIZE, &told);
         ck_assert_uint_eq(told.origins, 2 * PIXELS);
         ck_assert_uint_eq(told.covered, PIXELS);
+        bvh_free(&bvh);
     }
 }
 

@@ -180,8 +180,9 @@ LOOP_TEST(pixels_rays_as_alone, 3)
     }
 }
 
-/* Mirrors, glass, a plane that none bounds, two lights. */
-LOOP_TEST(pixels_together, 3)
+/* Mirrors, glass, a plane that none bounds, a disc that the eye touches, a ball around all; lights,
+ * two of them on objects. With a hierarchy and without. */
+LOOP_TEST(pixels_together, 6)
 {
     enum { SIDE = 31 };
     const sure_object objects[] = {
@@ -189,19 +190,29 @@ LOOP_TEST(pixels_together, 3)
         {SURE_SHAPE_SPHERE, {.sphere = {{-0.5, 0, -4}, 1}}},
         {SURE_SHAPE_SPHERE, {.sphere = {{0.8, -0.4, -3}, 0.5}}},
         {SURE_SHAPE_CONE, {.cone = {{0.2, -1, -5}, {0.2, 2, -5}, 1}}},
+        {SURE_SHAPE_DISC, {.disc = {{0, 0, 0}, {1, 2, 3}, 0.25}}},
+        {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 9}}},
     };
+    enum { COUNT = sizeof objects / sizeof *objects };
     const sure_material materials[] = {
         {.color = {1, 1, 1}, .mirror = 0.3},
         {.color = {1, 0.5, 0.2}, .specular = 0.5, .shine = 20},
         {.color = {1, 1, 1}, .refract = 1.5, .specular = 0.5, .shine = 20},
         {.color = {0.2, 0.5, 1}},
+        {.color = {1, 1, 1}},
+        {.color = {0.5, 0.5, 0.5}},
     };
     const sure_light lights[] = {{.position = {3, 4, 0}, .color = {1, 1, 1}, .brightness = 0.5},
-                                 {.position = {-3, 2, 1}, .color = {1, 1, 1}, .brightness = 0.4}};
-    sure_scene scene = looking(objects, materials, 4, lights, 2);
+                                 {.position = {-3, 2, 1}, .color = {1, 1, 1}, .brightness = 0.4},
+                                 {.position = {1, 4, -8}, .color = {1, 1, 1}, .brightness = 0.3},
+                                 {.position = {1, -1, -2}, .color = {1, 1, 1}, .brightness = 0.2}};
+    sure_scene scene = looking(objects, materials, COUNT, lights, 4);
+    sure_bvh bvh = {0};
     int column[SIDE * SIDE], row[SIDE * SIDE];
     sure_vec3 color[SIDE * SIDE];
-    block_lanes_most(widths[_i]);
+    block_lanes_most(widths[_i / 2]);
+    ck_assert(bvh_build(objects, COUNT, 1, &bvh));
+    scene.bvh = _i % 2 ? &bvh : NULL;
     scene.ambient = (sure_vec3){0.1, 0.1, 0.1};
     scene.width = scene.height = SIDE;
     for (int i = 0; i < SIDE * SIDE; i++) {
@@ -213,6 +224,7 @@ LOOP_TEST(pixels_together, 3)
         const sure_vec3 one = sure_backward_pixel(&scene, SURE_TIER_CERTAIN, column[i], row[i]);
         ck_assert_mem_eq(&one, &color[i], sizeof one);
     }
+    bvh_free(&bvh);
 }
 
 SUITE("packets")

@@ -107,12 +107,14 @@ LOOP_TEST(every_pixel_once_and_the_right_way_up, (int)(sizeof sizes / sizeof *si
     }
 }
 
-/* Each sample once; the mean of a colour that grows evenly is the middle's. */
-TEST(samples_have_the_middle_for_their_mean)
+/* Each sample once, of who counts, too; the mean of a colour that grows evenly is the middle's. */
+LOOP_TEST(samples_have_the_middle_for_their_mean, 2)
 {
+    sure_statistics told = {0}, *counted = _i ? &told : NULL;
     color_of = coordinates;
     for (int samples = 1; samples <= 5; samples++) {
-        picture image = rendered(23, 11, (render_options){.samples = samples});
+        picture image =
+            rendered(23, 11, (render_options){.samples = samples, .statistics = counted});
         for (int i = 0; i < 23 * 11 * samples * samples; i++) {
             if (asked[i] != 1)
                 ck_abort_msg("%d samples: %d asked %d times", samples, i, asked[i]);
@@ -126,14 +128,15 @@ TEST(samples_have_the_middle_for_their_mean)
 }
 
 /* A part is cut out of the whole picture. */
-TEST(parts_are_cut_out)
+LOOP_TEST(parts_are_cut_out, 2)
 {
+    sure_statistics told = {0}, *counted = _i ? &told : NULL;
     color_of = coordinates;
     const picture_part parts[] = {
         {0, 0, 300, 280}, {0, 0, 1, 1}, {299, 279, 1, 1}, {7, 30, 290, 3}};
     for (int k = 0; k < 4; k++) {
         const picture_part *part = &parts[k];
-        picture image = rendered(300, 280, (render_options){.part = *part});
+        picture image = rendered(300, 280, (render_options){.part = *part, .statistics = counted});
         ck_assert(image.width == part->width && image.height == part->height);
         for (int i = 0; i < part->width * part->height; i++) {
             int column = part->x + i % part->width, row = 279 - (part->y + i / part->width);
@@ -154,7 +157,10 @@ TEST(parts_outside_are_refused)
     int width = 7, height = 7;
     for (int k = 0; k < 8; k++)
         ck_assert(!render_size(&scene, &(render_options){.part = parts[k]}, &width, &height));
-    ck_assert(!render_size(&scene, &(render_options){.samples = INT_MAX / 299}, &width, &height));
+    const sure_scene upright = {.width = 280, .height = 300};
+    const render_options fine = {.samples = INT_MAX / 299};
+    ck_assert(!render_size(&scene, &fine, &width, &height));
+    ck_assert(!render_size(&upright, &fine, &width, &height));
 }
 
 static double linear;

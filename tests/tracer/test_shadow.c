@@ -116,6 +116,12 @@ TEST(test_light_on_wall)
             .object = 0, .point = {off.x, off.y, 1.5 + off.z}, .inside = 1};
         ck_assert(reaches(tier, &objects[k], 1, from, lights[k]));
     }
+    /* This one is just within the ball, whose wall the way's rounded direction meets before. */
+    const sure_vec3 within = {-0x1.58f9e15520cddp+1, 0x1.df6ac3baf2eb8p+1, 0x1.ecf4184a25f37p+0};
+    const sure_vec3 at = {-0x1.1bc932c766cc6p-1, 0x1.28297bc124f01p+1, 0x1.18b8a99a9ee67p+2};
+    const sure_surface_point beside = {.object = 0, .point = at, .inside = 1};
+    ck_assert(reaches(SURE_TIER_CERTAIN, objects, 1, beside, within));
+    ck_assert(reaches(SURE_TIER_EXACT, objects, 1, beside, within));
 }
 
 SUITE("shadow")
