@@ -334,7 +334,8 @@ LOOP_TEST(test_law_2, SURE_TIERS)
     ck_assert_int_gt(seen, 4);
 }
 
-/* A point of a plane that is farther than doubles reach has its ambient light alone. */
+/* A point of a plane that is farther than doubles reach, from the eye or from the light, has its
+ * ambient light alone. */
 LOOP_TEST(test_beyond_doubles, SURE_TIERS)
 {
     const sure_object floor = plane(0, 0, -1e308, 0, 0, 1);
@@ -344,6 +345,13 @@ LOOP_TEST(test_beyond_doubles, SURE_TIERS)
     scene.camera.viewport_width = 1000;
     scene.width = 2;
     sure_vec3 seen = sure_backward_pixel(&scene, (sure_tier)_i, 1, 0);
+    ck_assert(seen.x == 0.5 || (_i == SURE_TIER_FLOAT32 && seen.x == 0));
+    const sure_material shiny = {.color = {1, 0, 0}, .specular = 1};
+    const sure_light behind = {{0, 0, 1e308}, {1, 1, 1}, 1};
+    scene.materials = &shiny;
+    scene.lights = &behind;
+    scene.width = 1;
+    seen = sure_backward_pixel(&scene, (sure_tier)_i, 0, 0);
     ck_assert(seen.x == 0.5 || (_i == SURE_TIER_FLOAT32 && seen.x == 0));
 }
 
