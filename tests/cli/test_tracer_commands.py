@@ -691,6 +691,13 @@ class Heat(Commands):
             self.assertLess(int(found[1]), int(found[2]))
             self.assertGreater(len(set(sum(rows_of(f"{kind}.ppm")[:36], []))), 1)
 
+    def test_one_pixel_takes_what_the_frame_takes(self):
+        """In the same unit, or one of them would be a thousand times the other."""
+        *_, key, times = self.key("time", *SIZE, "--tile", "3,4,1x1", "--samples", "4096", "--time")
+        low, high = map(int, re.search(r" from 1e(\S+) \(dark\) to 1e(\S+) ", key).groups())
+        microseconds = 1e6 * json.loads(times)["frame"]
+        self.assertTrue(10.0 ** low <= microseconds < 10.0 ** (high + 2), (key, times))
+
     def test_the_key_of_an_empty_picture(self):
         self.SCENE = "empty.rt"
         put(self.SCENE, SCENE)

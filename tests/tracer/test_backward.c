@@ -167,6 +167,14 @@ LOOP_TEST(test_mirror, SURE_TIERS)
     materials[1] = materials[0];
     scene.depth = 3; /* red three times, halved each time, and what the last mirror has by itself */
     ck_seen(scene, {1, 0, 0});
+    const sure_vec3 ahead = {0, 0, -1}, back = {0, 0, 1};
+    double fresnel = sure_refract_fresnel_textbook(ahead, back, 1 / 1.5);
+    fresnel = 2 * fresnel / (1 + fresnel);
+    /* A pane: of what its mirror leaves Fresnel's share is reflected, too. */
+    objects[0] = plane(0, 0, -4, 0, 0, 1);
+    materials[0] = (sure_material){.mirror = 0.5, .refract = 1.5};
+    materials[1] = blue;
+    ck_seen(scene, {0, 0, 0.5 + 0.5 * fresnel});
 }
 
 /* The inside of a mirror, a ball or a tube: the ray leaves it and meets it on the far side. */
@@ -295,7 +303,7 @@ LOOP_TEST(test_law_1, SURE_TIERS)
     ck_seen(scene, {share, share * 0.75, share * 0.5});
     scene.falloff = SURE_FALLOFF_NONE;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), plain);
-    shiny.refract = 1; /* what is clear has the highlight alone */
+    shiny.refract = 1.5; /* what is clear has the highlight alone */
     ck_seen(scene, {32, 32, 32});
 }
 
