@@ -17,55 +17,26 @@ typedef struct {
     rendering *drawn;
 } squares;
 
-/* Calls `visit` for each pixel of them, in their order, until it returns false. */
-typedef bool pixel_visitor(void *context, size_t pixel);
-
-static bool each_pixel(const squares *of, const index_ranges *which, pixel_visitor *visit,
-                       void *context)
+/* The pixels of these squares by their places in the picture, in their order, to be freed; NULL: no
+ * memory. */
+static size_t *pixels_of(const squares *of, const index_ranges *which, size_t *count)
 {
     const picture *image = &of->drawn->image;
-    for (size_t i = 0; i < which->count; i++) {
+    const size_t width = (size_t)image->width;
+    size_t *all = malloc(width * (size_t)image->height * sizeof *all);
+    *count = 0;
+    for (size_t i = 0; all && i < which->count; i++) {
         for (uint64_t n = which->of[i].first; n < which->of[i].end; n++) {
             const picture_part at = render_square(image->width, image->height, (int64_t)n);
-            for (int p = 0; p < at.width * at.height; p++) {
-                size_t row = (size_t)(at.y + p / at.width), column = (size_t)(at.x + p % at.width);
-                if (!visit(context, row * (size_t)image->width + column))
-                    return false;
-            }
+            for (int p = 0; p < at.width * at.height; p++)
+                all[(*count)++] =
+                    (size_t)(at.y + p / at.width) * width + (size_t)(at.x + p % at.width);
         }
     }
-    return true;
+    return all;
 }
 
-static bool count_pixel(void *context, size_t pixel)
-{
-    (void)pixel;
-    ++*(size_t *)context;
-    return true;
-}
-
-/* Light. */
-
-typedef struct {
-    picture *image;
-    uint8_t *at; /* in the bytes of the pixels, one after the other */
-} copying;
-
-static bool copy_from(void *context, size_t pixel)
-{
-    copying *of = context;
-    memcpy(of->at, &of->image->rgb[3 * pixel], 3);
-    of->at += 3;
-    return true;
-}
-
-static bool copy_to(void *context, size_t pixel)
-{
-    copying *of = context;
-    memcpy(&of->image->rgb[3 * pixel], of->at, 3);
-    of->at += 3;
-    return true;
-}
+/* Light: the bytes of the pixels, one after the other. */
 
 /* Compressed, as text. */
 static json_t *pack(const uint8_t *bytes, size_t size)
@@ -91,61 +62,54 @@ static bool unpack(const json_t *from, uint8_t *bytes, size_t size)
     return done;
 }
 
-static json_t *light(const squares *of, const index_ranges *done, size_t pixels)
+static json_t *light(const squares *of, const size_t *pixels, size_t count)
 {
-    uint8_t *bytes = malloc(3 * pixels + 1);
-    json_t *made = NULL;
-    if (bytes && each_pixel(of, done, copy_from, &(copying){&of->drawn->image, bytes}))
-        made = pack(bytes, 3 * pixels);
+    uint8_t *bytes = malloc(3 * count + 1);
+    for (size_t i = 0; bytes && i < count; i++)
+        memcpy(bytes + 3 * i, of->drawn->image.rgb + 3 * pixels[i], 3);
+    json_t *made = bytes ? pack(bytes, 3 * count) : NULL;
     free(bytes);
     return made;
 }
 
-static bool take_light(const squares *of, const index_ranges *done, size_t pixels,
-                       const json_t *from)
+static bool take_light(const squares *of, const size_t *pixels, size_t count, const json_t *from)
 {
-    uint8_t *bytes = malloc(3 * pixels + 1);
-    bool taken = bytes && unpack(from, bytes, 3 * pixels) &&
-                 each_pixel(of, done, copy_to, &(copying){&of->drawn->image, bytes});
+    uint8_t *bytes = malloc(3 * count + 1);
+    bool taken = bytes && unpack(from, bytes, 3 * count);
+    for (size_t i = 0; taken && i < count; i++)
+        memcpy(of->drawn->image.rgb + 3 * pixels[i], bytes + 3 * i, 3);
     free(bytes);
     return taken;
 }
 
-/* Claims: what a certificate says of the pixels. */
+/* Claims: what a certificate says of the pixels. NULL: no memory. */
 
-typedef struct {
-    const squares *of;
-    picture_part part;
-    json_t *lines;
-    size_t next;
-} claiming;
-
-static claiming claiming_of(const squares *of, json_t *lines)
+static json_t *claims(const squares *of, const size_t *pixels, size_t count)
 {
+    json_t *lines = json_array();
     picture_part part = of->settings.how.part;
     part.width = of->drawn->image.width;
     part.height = of->drawn->image.height;
-    return (claiming){of, part, lines, 0};
+    for (size_t i = 0; i < count; i++) {
+        char words[CLAIM_WORDS];
+        sure_ray ray = certificate_ray(&of->placed->scene, &part, pixels[i]);
+        claim_print(&(pixel_claim){ray.direction, of->drawn->records[pixels[i]]}, words);
+        json_array_append_new(lines, json_string(words));
+    }
+    return lines;
 }
 
-static bool claim_pixel(void *context, size_t pixel)
+static bool take_claims(const squares *of, const size_t *pixels, size_t count, const json_t *lines)
 {
-    const claiming *c = context;
-    char words[CLAIM_WORDS];
-    sure_ray ray = certificate_ray(&c->of->placed->scene, &c->part, pixel);
-    claim_print(&(pixel_claim){ray.direction, c->of->drawn->records[pixel]}, words);
-    return json_array_append_new(c->lines, json_string(words)) == 0;
-}
-
-static bool take_pixel(void *context, size_t pixel)
-{
-    claiming *c = context;
-    const char *words = json_string_value(json_array_get(c->lines, c->next++));
-    pixel_claim claim;
-    if (!words || !claim_read(words, c->of->placed->scene.object_count, &claim))
-        return false;
-    c->of->drawn->records[pixel] = claim.pixel;
-    return true;
+    bool taken = json_array_size(lines) == count;
+    for (size_t i = 0; taken && i < count; i++) {
+        const char *words = json_string_value(json_array_get(lines, i));
+        pixel_claim claim;
+        taken = words && claim_read(words, of->placed->scene.object_count, &claim);
+        if (taken)
+            of->drawn->records[pixels[i]] = claim.pixel;
+    }
+    return taken;
 }
 
 /* All of it. */
@@ -180,33 +144,33 @@ static bool work(void *sum, index_range some)
 static json_t *tell(const void *sum, const index_ranges *done)
 {
     const squares *of = sum;
-    size_t pixels = 0;
-    each_pixel(of, done, count_pixel, &pixels);
-    json_t *said = json_pack("{s:o}", "rgb", light(of, done, pixels));
-    if (said && of->drawn->records) {
-        claiming c = claiming_of(of, json_array());
-        bool all = each_pixel(of, done, claim_pixel, &c);
-        json_object_set_new(said, "claims", all ? c.lines : NULL);
-    }
+    size_t count;
+    size_t *pixels = pixels_of(of, done, &count);
+    json_t *said = pixels ? json_pack("{s:o}", "rgb", light(of, pixels, count)) : NULL;
+    if (said && of->drawn->records)
+        json_object_set_new(said, "claims", claims(of, pixels, count));
     if (said && of->settings.counted)
         json_object_set_new(said, "counts", json_counts(counts_of(&of->drawn->statistics), COUNTS));
+    free(pixels);
     return said;
 }
 
 static const char *add(void *sum, const index_ranges *done, const json_t *told)
 {
     const squares *of = sum;
-    size_t pixels = 0;
-    each_pixel(of, done, count_pixel, &pixels);
-    if (!take_light(of, done, pixels, json_object_get(told, "rgb")))
-        return "expected the pixels of its squares";
-    claiming c = claiming_of(of, json_object_get(told, "claims"));
-    if (of->drawn->records &&
-        (json_array_size(c.lines) != pixels || !each_pixel(of, done, take_pixel, &c)))
-        return "expected what the pixels of its squares see";
-    if (of->settings.counted && !take_counts(of, json_object_get(told, "counts")))
-        return "expected counts of rays";
-    return NULL;
+    size_t count;
+    size_t *pixels = pixels_of(of, done, &count);
+    const char *wrong = NULL;
+    if (!pixels)
+        wrong = "no memory";
+    else if (!take_light(of, pixels, count, json_object_get(told, "rgb")))
+        wrong = "expected the pixels of its squares";
+    else if (of->drawn->records && !take_claims(of, pixels, count, json_object_get(told, "claims")))
+        wrong = "expected what the pixels of its squares see";
+    else if (of->settings.counted && !take_counts(of, json_object_get(told, "counts")))
+        wrong = "expected counts of rays";
+    free(pixels);
+    return wrong;
 }
 
 int squares_do(const char *scene, const placed_scene *placed, const render_settings *settings,
