@@ -24,6 +24,21 @@ static sure_status reference_first(const sure_ray *ray, const sure_object *objec
     return reference_hit(ray, object, &hit->t, &hit->part, &normal);
 }
 
+/* No case here is of a wall. */
+
+static bool reference_is_hit(const sure_case *question, const sure_ray *ray)
+{
+    return reference_occluded(ray, &question->object) == SURE_HIT;
+}
+
+static bool reference_starts_within(const sure_case *question, const sure_ray *ray)
+{
+    sure_interval unused;
+    sure_ray start = *ray;
+    start.t_max = start.t_min;
+    return reference_interval(&start, &question->object, &unused) == SURE_HIT;
+}
+
 /* The referee's own reasons, by other answers. */
 extern const char *const confirmed_unit_names[];
 double confirmed_length(const sure_case *question, margin_unit unit, precision in);
@@ -44,7 +59,8 @@ bool confirmed_of_end(const sure_case *question, double by);
 #define margin_of confirmed_of
 #define margin_of_end confirmed_of_end
 #define sure_object_occluded(ray, object, tier) reference_occluded(ray, object)
-#define sure_object_interval(ray, object, tier, ends) reference_interval(ray, object, ends)
+#define case_is_hit reference_is_hit
+#define case_starts_within reference_starts_within
 #define sure_object_hit(ray, object, tier, hit) reference_first(ray, object, hit)
 #include "../../src/judge/referee/margin.c"
 #undef margin_length
@@ -53,6 +69,8 @@ bool confirmed_of_end(const sure_case *question, double by);
 #undef margin_beyond
 #undef margin_beyond_length
 #undef margin_of_end
+#undef case_is_hit
+#undef case_starts_within
 #undef sure_object_hit
 
 static const double sizes[] = {1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1};

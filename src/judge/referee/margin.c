@@ -62,24 +62,25 @@ static bool is_hit(const sure_ray *ray, const sure_object *object)
     return sure_object_occluded(ray, object, SURE_TIER_EXACT) == SURE_HIT;
 }
 
-/* Is the ray's range in the interior? Entry: it does not meet the boundary, so no end of the chord
- * lies in it and has to be rounded, which would take longer than the decision. */
-static bool is_inside(const sure_ray *ray, const sure_object *solid)
+/* Is all of it in the interior of the closed solid, or of what the wall goes round? */
+static bool is_within(const sure_case *solid, const sure_ray *ray)
 {
-    sure_interval ends;
-    return sure_object_interval(ray, solid, SURE_TIER_EXACT, &ends) == SURE_HIT;
+    return !case_is_hit(solid, ray) && case_starts_within(solid, ray);
 }
 
-/* Is it all in the interior? */
-static bool is_within(const sure_ray *ray, const sure_object *solid)
+/* Has it a point of that? */
+static bool meets(const sure_case *solid, const sure_ray *ray)
 {
-    return !is_hit(ray, solid) && is_inside(ray, solid);
+    return case_is_hit(solid, ray) || case_starts_within(solid, ray);
 }
 
-/* Has it a point of the closed solid? */
-static bool meets(const sure_ray *ray, const sure_object *solid)
+/* The question of the moved object, or of its wall. Two nappes that are moved are no double cone:
+ * there is none. */
+static bool moved_case(const sure_case *question, const movement *how, sure_case *to)
 {
-    return is_hit(ray, solid) || is_inside(ray, solid);
+    *to = *question;
+    return question->wall ? wall_moved(&question->object, how, &to->object)
+                          : object_moved(&question->object, how, &to->object);
 }
 
 static bool is_solid(const sure_object *object)
@@ -91,26 +92,25 @@ static bool is_solid(const sure_object *object)
 static bool closed_beyond(const sure_case *question, bool said_hit, const movement *way)
 {
     const movement how = movement_times(way, said_hit ? 1 : -1);
-    sure_object moved;
-    return object_moved(&question->object, &how, &moved) &&
-           meets(&question->ray, &moved) != said_hit;
+    sure_case moved;
+    return moved_case(question, &how, &moved) && meets(&moved, &question->ray) != said_hit;
 }
 
 /* A solid's boundary of some size in between is met unless the range lies outside of the largest or
  * in the smallest; and one is missed unless it comes into the smallest and leaves the largest.
- * Where doubles can't tell a moved object, nothing is said against the answer. */
+ * Where doubles can't tell a moved object, nothing is said against the answer. A wall likewise. */
 
 static bool solid_beyond(const sure_case *question, bool said_hit, const movement *out)
 {
     const movement in = movement_times(out, -1);
-    sure_object larger, smaller;
-    bool has_smaller = object_moved(&question->object, &in, &smaller);
-    if (!object_moved(&question->object, out, &larger))
+    const sure_ray *ray = &question->ray;
+    sure_case larger, smaller;
+    bool has_smaller = moved_case(question, &in, &smaller);
+    if (!moved_case(question, out, &larger))
         return false;
     if (said_hit)
-        return !meets(&question->ray, &larger) ||
-               (has_smaller && is_within(&question->ray, &smaller));
-    return has_smaller && meets(&question->ray, &smaller) && is_hit(&question->ray, &larger);
+        return !meets(&larger, ray) || (has_smaller && is_within(&smaller, ray));
+    return has_smaller && meets(&smaller, ray) && case_is_hit(&larger, ray);
 }
 
 static bool displaced(const sure_object *flat, double along, double rim, sure_object *moved)
@@ -150,13 +150,14 @@ static bool flat_beyond(const sure_case *question, bool said_hit, double by)
     const sure_object *flat = &question->object;
     const sure_ray *ray = &question->ray;
     double rim = said_hit ? by : -by;
-    sure_object front, back, slab;
+    sure_object front, back;
+    sure_case slab = *question;
     if (!displaced(flat, by, rim, &front) || !displaced(flat, -by, rim, &back))
         return false;
     if (!said_hit)
         return is_hit(ray, &front) && is_hit(ray, &back);
     if (sure_shape_info_of(flat->shape)->bounded)
-        return object_slab(flat, by, &slab) && !meets(ray, &slab);
+        return object_slab(flat, by, &slab.object) && !meets(&slab, ray);
     return !is_hit(ray, &front) && !is_hit(ray, &back) && !starts_between(ray, &front, &back);
 }
 
@@ -179,22 +180,6 @@ static bool part_beyond(const sure_case *question, int part, const movement *out
            (int)hit.part != part;
 }
 
-/* A solid_beyond of a wall. Two nappes that are moved are no double cone: nothing is said. */
-static bool wall_beyond(const sure_case *question, fault which, const movement *out)
-{
-    sure_case larger = *question, smaller = *question;
-    const sure_ray *ray = &question->ray;
-    const movement in = movement_times(out, -1);
-    if (which == FAULT_WRONG_PART || !wall_moved(&question->object, out, &larger.object))
-        return false;
-    bool has_smaller = wall_moved(&question->object, &in, &smaller.object);
-    if (which == FAULT_FALSE_MISS)
-        return has_smaller && case_is_hit(&larger, ray) &&
-               (case_is_hit(&smaller, ray) || case_starts_within(&smaller, ray));
-    return (!case_is_hit(&larger, ray) && !case_starts_within(&larger, ray)) ||
-           (has_smaller && case_starts_within(&smaller, ray) && !case_is_hit(&smaller, ray));
-}
-
 /* A face stays where it has no distance from the middle, or where the unit has underflowed. */
 static bool all_go(const sure_case *question, const movement *way)
 {
@@ -206,13 +191,13 @@ static bool all_go(const sure_case *question, const movement *way)
 
 bool margin_beyond(const sure_case *question, fault which, const reply *given, const movement *way)
 {
+    bool said_hit = which == FAULT_FALSE_HIT;
     if (question->wall)
-        return wall_beyond(question, which, way);
+        return which != FAULT_WRONG_PART && solid_beyond(question, said_hit, way);
     if (!all_go(question, way))
         return false;
     if (which == FAULT_WRONG_PART)
         return part_beyond(question, given->part, way);
-    bool said_hit = which == FAULT_FALSE_HIT;
     if (!is_solid(&question->object))
         return flat_beyond(question, said_hit, way->by[0]);
     return given->to == QUERY_INTERVAL || given->to == QUERY_INSIDE
@@ -229,14 +214,14 @@ bool margin_beyond_length(const sure_case *question, fault which, const reply *g
 bool margin_of_end(const sure_case *question, double by)
 {
     const movement out = movement_of_all(by), in = movement_of_all(-by);
-    sure_ray start = question->ray;
-    sure_object larger, smaller;
+    const sure_ray *ray = &question->ray;
+    sure_ray start = *ray;
+    sure_case solid = *question, larger, smaller;
+    solid.wall = false;
     start.t_max = start.t_min;
-    return by > 0 && is_solid(&question->object) &&
-           object_moved(&question->object, &out, &larger) &&
-           object_moved(&question->object, &in, &smaller) && meets(&start, &larger) &&
-           !is_within(&start, &smaller) && meets(&question->ray, &smaller) &&
-           is_hit(&question->ray, &larger);
+    return by > 0 && is_solid(&question->object) && moved_case(&solid, &out, &larger) &&
+           moved_case(&solid, &in, &smaller) && meets(&larger, &start) &&
+           !is_within(&smaller, &start) && meets(&smaller, ray) && case_is_hit(&larger, ray);
 }
 
 static bool beyond_times(const sure_case *question, fault which, const reply *given, double times,
