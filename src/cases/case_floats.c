@@ -62,19 +62,3 @@ sure_float_vec3 float_query_normal(const float_query *q, sure_tier tier, const s
 {
     return functions[q->shape].normal[tier == SURE_TIER_EXACT](q, hit);
 }
-
-case_answer float_answer_of(const float_query *q, sure_tier tier)
-{
-    case_answer answer = {0};
-    sure_hit_f hit;
-    answer.status = float_query_hit(q, tier, &hit);
-    if (answer.status == SURE_INVALID)
-        answer.field = float_query_check(q);
-    if (answer.status == SURE_HIT) {
-        const sure_float_vec3 n = float_query_normal(q, tier, &hit);
-        answer.t = hit.t;
-        answer.part = hit.part;
-        answer.normal = (sure_vec3){n.x, n.y, n.z};
-    }
-    return answer;
-}

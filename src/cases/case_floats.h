@@ -19,6 +19,3 @@ float_query float_query_of(const sure_case *rounded);
 sure_field float_query_check(const float_query *q);
 sure_status float_query_hit(const float_query *q, sure_tier tier, sure_hit_f *hit);
 sure_float_vec3 float_query_normal(const float_query *q, sure_tier tier, const sure_hit_f *hit);
-
-/* case_answer_of (case.h) of floats, in doubles. */
-case_answer float_answer_of(const float_query *q, sure_tier tier);
