@@ -9,25 +9,13 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static regime_rows asked;
 static bench_plan plan = {.cases = BENCH_CASES, .repeats = BENCH_REPEATS, .seconds = BENCH_SECONDS};
 static const char *json, *repeats;
 static sure_tier tier;
-static unsigned of_rays; /* a bit each; 0: all */
-
-static const char *read_rays(const cli_option *row, const char *value)
-{
-    (void)row;
-    for (int rays = 0; rays < BENCH_RAYS; rays++) {
-        if (strcmp(value, bench_rays_name((bench_rays)rays)) == 0) {
-            of_rays |= 1u << rays;
-            return NULL;
-        }
-    }
-    return "mixed, hits, misses or repeated";
-}
+static bool of_rays[BENCH_RAYS];
+static const char *some_rays; /* the option, if it was given */
 
 static const char *read_tier(const cli_option *row, const char *value)
 {
@@ -40,8 +28,7 @@ static const char *read_tier(const cli_option *row, const char *value)
 static bool is_row(int i)
 {
     int row = i / BENCH_RAYS;
-    return regime_rows_have(&asked, row / REGIMES, row % REGIMES) &&
-           (of_rays >> i % BENCH_RAYS & 1);
+    return regime_rows_have(&asked, row / REGIMES, row % REGIMES) && of_rays[i % BENCH_RAYS];
 }
 
 static int measure_all(void)
@@ -81,8 +68,8 @@ static int run(void)
         asked.some_regimes = true;
         asked.regimes[REGIME_CAMERA] = asked.regimes[REGIME_TYPICAL] = true;
     }
-    if (of_rays == 0)
-        of_rays = ~(1u << BENCH_REPEATED);
+    if (!some_rays)
+        of_rays[BENCH_MIXED] = of_rays[BENCH_HITS] = of_rays[BENCH_MISSES] = true;
     for (int subject = BENCH_TIER(0); subject < BENCH_NAIVE_BLOCK; subject++) {
         if ((plan.only >> subject & 1) && !bench_has(&plan, subject))
             return cli_wrong(
@@ -109,7 +96,7 @@ static const cli_option options[] = {
     {"regime", "REGIME", "the kind of cases (default: camera and typical)", cli_regime,
      .to = &asked},
     {"rays", "KIND", "mixed, hits or misses (default: all three), or repeated: in one order",
-     .read = read_rays},
+     cli_mark, .to = of_rays, .words = bench_rays_names, .given = &some_rays},
     {"tier", "TIER", "float32, textbook, stable, certain or exact; may be repeated", read_tier,
      .to = &tier},
     {"cases", "N", "different cases of each kind (default " CLI_NUMERAL(BENCH_CASES) ")", cli_int,

@@ -11,7 +11,7 @@
 static regime_rows rows;
 static uint64_t count = DEFAULT_COUNT, seed;
 static bool named;
-static const char *numbered, *set; /* options that were given */
+static const char *numbered; /* an option that was given */
 
 static void write_cases(sure_shape shape, regime which, progress *bar)
 {
@@ -27,13 +27,9 @@ static void write_cases(sure_shape shape, regime which, progress *bar)
 
 static int run(void)
 {
-    if (set && numbered)
-        return cli_wrong("--set says how many cases there are, and their seed: '--%s'", numbered);
-    if (set) {
-        count = rows.set->count;
-        seed = rows.set->seed;
-    }
-    int status = cli_rows_check(&rows);
+    int status = cli_rows_numbers(&rows, numbered, &count, &seed);
+    if (status == 0)
+        status = cli_rows_check(&rows);
     int64_t total = 0;
     for (int i = 0; i < SURE_SHAPES * REGIMES; i++)
         total += regime_rows_have(&rows, i / REGIMES, i % REGIMES);
@@ -55,7 +51,7 @@ static const cli_option options[] = {
      .to = &count, .most = UINT64_MAX, .given = &numbered},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &seed,
      .most = UINT64_MAX, .given = &numbered},
-    CLI_SET(&rows, &set),
+    CLI_SET(&rows),
     {"named", NULL, "with a remark behind each, that names its regime: `# rim`", cli_flag,
      .to = &named},
     {0},

@@ -17,7 +17,7 @@ static judging_plan plan = {.count = DEFAULT_COUNT,
                             .surehit = {"surehit", SUREHIT_VERSION_TEXT, SUREHIT_FLAGS},
                             .how = {INPUTS_AS_IT_TAKES, CANDIDATE_TIME_LIMIT, .once = false}};
 static margin_unit unit = MARGIN_SIZE;
-static const char *numbered, *set; /* options that were given */
+static const char *numbered, *queried; /* options that were given */
 
 /* The option's name says what kind of candidate it is. */
 static const char *read_subject(const cli_option *row, const char *value)
@@ -36,16 +36,6 @@ static const char *read_subject(const cli_option *row, const char *value)
         plan.subject = kind;
         plan.name = value;
     }
-    return expected;
-}
-
-static const char *read_query(const cli_option *row, const char *value)
-{
-    int asks = 0;
-    const cli_option named = {.to = &asks, .words = row->words};
-    const char *expected = cli_word(&named, value);
-    if (!expected)
-        plan.queries[asks] = plan.some_queries = true;
     return expected;
 }
 
@@ -70,6 +60,7 @@ static bool add_margins(void)
 static int run(void)
 {
     plan.told = margins_of(unit);
+    plan.some_queries = queried != NULL;
     if (!add_margins())
         return cli_wrong("a margin is required, and --margin none");
     if (plan.subject == SUBJECT_NONE)
@@ -79,14 +70,11 @@ static int run(void)
     plan.untimed |= cut.way != CUT_NOT;
     if (plan.how.keep && plan.subject != SUBJECT_COMMAND)
         return cli_wrong("--keep is for a --command");
-    if (plan.cases && (numbered || set))
+    if (plan.cases && (numbered || plan.rows.set))
         return cli_wrong("cases are given and to be made: '%s'", plan.cases);
-    if (set && numbered)
-        return cli_wrong("--set says how many cases there are, and their seed: '--%s'", numbered);
-    if (set) {
-        plan.count = plan.rows.set->count;
-        plan.seed = plan.rows.set->seed;
-    }
+    int status = cli_rows_numbers(&plan.rows, numbered, &plan.count, &plan.seed);
+    if (status != 0)
+        return status;
     if (plan.instructions &&
         (plan.subject > SUBJECT_LIBRARY || (plan.cases && strcmp(plan.cases, "-") == 0)))
         return cli_wrong("instructions are counted of tiers and libraries, cases not from '-'");
@@ -97,7 +85,7 @@ static int run(void)
     const char *outputs[] = {plan.json, plan.junit, plan.sarif};
     const char *inputs[] = {plan.cases, is_file ? plan.name : NULL};
     const cli_paths all = {outputs, inputs, 3, 2};
-    int status = cut.way == CUT_WORK ? 0 : cli_paths_check(&all); /* a piece has none of them */
+    status = cut.way == CUT_WORK ? 0 : cli_paths_check(&all); /* a piece has none of them */
     if (status != 0)
         return status;
     if (plan.instructions && !instructions_begin(cli_running->name))
@@ -136,13 +124,13 @@ static const cli_option options[] = {
      .to = &plan.count, .least = 1, .most = UINT64_MAX, .given = &numbered},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &plan.seed,
      .most = INT64_MAX, .given = &numbered},
-    CLI_SET(&plan.rows, &set),
+    CLI_SET(&plan.rows),
     {NULL, .help = "The judgement:"},
     {"query", "QUERY",
      "what is asked: hit, occluded, interval or inside (default: all that a library answers, hits "
      "of "
      "others); may be repeated",
-     read_query, .words = query_names},
+     cli_mark, .to = plan.queries, .words = query_names, .given = &queried},
     {"entry", "WORDS",
      "conditions that the cases keep, and conventions (docs/judge.md): unit, local, ray, "
      "wall, touch=miss, ... (default: as a shared library declares)",

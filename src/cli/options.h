@@ -85,6 +85,7 @@ cli_reader cli_number;        /* uint64_t, a whole number in [least, most] */
 cli_reader cli_int;           /* int, likewise */
 cli_reader cli_seconds;       /* double */
 cli_reader cli_word;          /* int or an enum, the index of one of `words` */
+cli_reader cli_mark;          /* bools, true at the index of one of `words` */
 cli_reader cli_tier;          /* sure_tier */
 cli_reader cli_fallible_tier; /* the same, one that can be wrong */
 cli_reader cli_drawn_tier;    /* the same, of a picture */
@@ -104,6 +105,11 @@ typedef struct {
 /* 0 if there is a regime that one of the shapes has; else EXIT_USAGE after a complaint. */
 int cli_rows_check(const regime_rows *asked);
 
+/* A set that is asked for says how many cases there are, and their seed. 0, or EXIT_USAGE after a
+ * complaint where an option, `numbered`, has said others. */
+int cli_rows_numbers(const regime_rows *asked, const char *numbered, uint64_t *count,
+                     uint64_t *seed);
+
 /* Rows that several tables have. */
 /* clang-format off */
 #define CLI_THREADS(threads) \
@@ -115,6 +121,10 @@ int cli_rows_check(const regime_rows *asked);
     {"instructions", NULL, \
      "count instructions a ray, too, which repeat: by valgrind, of the first 512 cases of a row", \
      cli_flag, .to = told}
+#define CLI_SET(rows) \
+    {"set", "NAME", \
+     "the cases of a frozen set, the same for ever: these say which count, which seed", \
+     cli_set, .to = rows}
 #define CLI_DRAWN_TIER(tier) \
     {"tier", "TIER", NULL, cli_drawn_tier, .to = tier}
 #define CLI_MEANINGS(settings) \
@@ -129,14 +139,6 @@ int cli_rows_check(const regime_rows *asked);
      .to = settings}, \
     {"camera", "N", "of several, in dialect 42 (default: the first)", cli_scene, .to = settings}
 /* clang-format on */
-
-#define CLI_SET(rows, option)                                                                      \
-    {                                                                                              \
-        "set", "NAME",                                                                             \
-            "the cases of a frozen set, the same for ever: "                                       \
-            "these say which count, which seed",                                                   \
-            cli_set, .to = rows, .given = option                                                   \
-    }
 
 /* print_more: the regimes' names. And those of the sets, too. */
 void cli_print_regimes(FILE *out);

@@ -85,6 +85,16 @@ const char *cli_word(const cli_option *row, const char *value)
     return expected;
 }
 
+const char *cli_mark(const cli_option *row, const char *value)
+{
+    int which;
+    const cli_option named = {.to = &which, .words = row->words};
+    const char *expected = cli_word(&named, value);
+    if (!expected)
+        ((bool *)row->to)[which] = true;
+    return expected;
+}
+
 void cli_print_regimes(FILE *out)
 {
     int column = 80;
@@ -205,4 +215,16 @@ int cli_rows_check(const regime_rows *asked)
     }
     return cli_wrong("--regime '%s': expected a regime that the shape%s has", missing,
                      asked->set ? ", and the set," : "");
+}
+
+int cli_rows_numbers(const regime_rows *asked, const char *numbered, uint64_t *count,
+                     uint64_t *seed)
+{
+    if (!asked->set)
+        return 0;
+    if (numbered)
+        return cli_wrong("--set says how many cases there are, and their seed: '--%s'", numbered);
+    *count = asked->set->count;
+    *seed = asked->set->seed;
+    return 0;
 }

@@ -15,20 +15,18 @@ static report_run of = {
     .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION_TEXT, .flags = SUREHIT_FLAGS};
 
 static bool instructions;
+static sure_tier tier; /* the last one */
 
-static const char *add(sure_tier tier, const char *library)
+static const char *add(sure_tier of_tier, const char *library)
 {
     if (of.count == REPORT_CANDIDATES)
         return "no more than " CLI_NUMERAL(REPORT_CANDIDATES) " candidates";
-    return report_add(&of, tier, library) ? NULL : "memory for it";
+    return report_add(&of, of_tier, library) ? NULL : "memory for it";
 }
 
 static const char *read_tier(const cli_option *row, const char *value)
 {
-    sure_tier tier;
-    const cli_option read = {.to = &tier};
-    const char *expected = cli_tier(&read, value);
-    (void)row;
+    const char *expected = cli_tier(row, value);
     return expected ? expected : add(tier, NULL);
 }
 
@@ -71,7 +69,7 @@ static const cli_option options[] = {
     {"json", "FILE", "what it shows, for programs", cli_text, .to = &of.json},
     {NULL,
      .help = "Who is asked (default: every tier, and the peers that were built with surehit):"},
-    {"tier", "TIER", "a tier; may be repeated", .read = read_tier},
+    {"tier", "TIER", "a tier; may be repeated", read_tier, .to = &tier},
     {"candidate", "FILE",
      "a shared library (surehit/candidate.h says what it defines); may be repeated",
      .read = read_library},

@@ -14,16 +14,6 @@ static walk_plan plan = {.how = {INPUTS_AS_IT_TAKES, CANDIDATE_TIME_LIMIT, .once
                          .steps = DEFAULT_STEPS};
 static const char *tier;
 
-static const char *read_kind(const cli_option *row, const char *value)
-{
-    int kind;
-    const cli_option named = {.to = &kind, .words = walk_kind_names};
-    const char *expected = cli_word(&named, value);
-    if (!expected)
-        ((bool *)row->to)[kind] = true;
-    return expected;
-}
-
 static const char *read_nudge(const cli_option *row, const char *value)
 {
     char *end;
@@ -60,7 +50,7 @@ static const cli_option options[] = {
     {NULL, .help = "Where:"},
     {"shape", "SHAPE", "in solids of this shape (default: all); may be repeated", cli_shape,
      .to = &plan.rows},
-    {"kind", "KIND", NULL, read_kind, .to = plan.kinds},
+    {"kind", "KIND", NULL, cli_mark, .to = plan.kinds, .words = walk_kind_names},
     {"steps", "N", "of each shape and kind (default " CLI_NUMERAL(DEFAULT_STEPS) ")", cli_number,
      .to = &plan.steps, .least = 1, .most = UINT64_MAX},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &plan.seed,

@@ -263,11 +263,7 @@ static void set_results(const contest *all, bench_row *row)
     }
 }
 
-const char *bench_rays_name(bench_rays rays)
-{
-    static const char *const names[BENCH_RAYS] = {"mixed", "hits", "misses", "repeated"};
-    return names[rays];
-}
+const char *const bench_rays_names[] = {"mixed", "hits", "misses", "repeated", NULL};
 
 static bool is_wanted(const sure_case *question, bench_rays rays)
 {

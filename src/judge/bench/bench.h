@@ -24,8 +24,8 @@ const char *bench_subject_name(int subject);
  */
 typedef enum { BENCH_MIXED, BENCH_HITS, BENCH_MISSES, BENCH_REPEATED, BENCH_RAYS } bench_rays;
 
-/* "mixed", "hits", "misses" or "repeated" */
-const char *bench_rays_name(bench_rays rays);
+/* "mixed", ..., NULL at the end. */
+extern const char *const bench_rays_names[];
 
 typedef struct {
     int cases;         /* different ones, asked in another order every time but where repeated */

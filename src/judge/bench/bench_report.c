@@ -66,7 +66,7 @@ void bench_print_row(const bench_plan *plan, const bench_row *row)
             snprintf(instructions, sizeof instructions, "%.0f", result->instructions);
         snprintf(spread, sizeof spread, "%.2f..%.2f", ratio->lower, ratio->upper);
         printf("%-9s %-13s %-8s %-11s %8.1f %6s %7.2f %9.2f %8.2f %17s %4.0f %%\n",
-               sure_shape_name(row->shape), regime_name(row->which), bench_rays_name(row->rays),
+               sure_shape_name(row->shape), regime_name(row->which), bench_rays_names[row->rays],
                bench_subject_name(subject), result->nanoseconds.median, instructions,
                result->over_naive.median,
                beside_block ? result->over_block.median : result->over_textbook.median,
@@ -88,7 +88,7 @@ static json_t *result_json(const bench_row *row, int subject)
     return json_pack(
         "{s:s, s:s, s:s, s:s, s:i, s:i, s:o, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "shape",
         sure_shape_name(row->shape), "regime", regime_name(row->which), "rays",
-        bench_rays_name(row->rays), "tier", bench_subject_name(subject), "cases", row->cases,
+        bench_rays_names[row->rays], "tier", bench_subject_name(subject), "cases", row->cases,
         "repeats", row->repeats, "quiet", json_measured(row->quiet), "hits",
         (json_int_t)result->hits, "nanoseconds", figure_json(&result->nanoseconds), "over_naive",
         figure_json(&result->over_naive), "over_textbook", figure_json(&result->over_textbook),
