@@ -45,23 +45,18 @@ static reply_kind wait_for_result(library *self, double limit)
         struct pollfd result = {.fd = self->process.output, .events = POLLIN};
         int ready = child_poll(&result, 1, (int)(limit * 1000) + 1);
         char byte;
-        if (ready > 0) {
-            ssize_t done = read(self->process.output, &byte, 1);
-            if (done == 1)
-                return REPLY_ANSWERED;
-            if (done < 0 && errno == EINTR)
-                continue;
-            if (child_ends(&self->process, limit, NULL))
-                return REPLY_CRASHED;
-            child_stop(&self->process); /* it has closed its end, and goes on */
-            return REPLY_HUNG;
-        }
-        if (ready == 0 && self->answers->progress == before) {
-            if (child_ends(&self->process, 0, NULL)) /* others hold its end */
-                return REPLY_CRASHED;
-            child_stop(&self->process);
-            return REPLY_HUNG;
-        }
+        ssize_t done = ready > 0 ? read(self->process.output, &byte, 1) : -1;
+        if (done == 1)
+            return REPLY_ANSWERED;
+        bool goes_on = ready == 0 ? self->answers->progress != before
+                                  : ready < 0 || (done < 0 && errno == EINTR);
+        if (goes_on)
+            continue;
+        /* It has closed its end, and may be about to end; or others hold it. */
+        if (child_ends(&self->process, ready > 0 ? limit : 0, NULL))
+            return REPLY_CRASHED;
+        child_stop(&self->process);
+        return REPLY_HUNG;
     }
 }
 

@@ -12,19 +12,24 @@
 /* The numbers of a case are ray and object as they lie in memory. */
 _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
 
-#define FUNCTIONS(shape, tier)                                                                     \
-    static int shape##_##tier(const void *ray, const void *object, void *to)                       \
+/* `in`: nothing, or _float; `f`: how the library has it. */
+#define HITS_IN(shape, tier, in, f)                                                                \
+    static int shape##_##tier##in(const void *ray, const void *object, void *to)                   \
     {                                                                                              \
-        return (int)sure_##shape##_hit_##tier(ray, object, &((tier_output *)to)->hit);             \
+        tier_output##in *of = to;                                                                  \
+        return (int)sure_##shape##_hit_##tier##f(ray, object, &of->hit);                           \
     }                                                                                              \
-    static int shape##_##tier##_normal(const void *ray, const void *object, void *to)              \
+    static int shape##_##tier##_normal##in(const void *ray, const void *object, void *to)          \
     {                                                                                              \
-        tier_output *of = to;                                                                      \
-        int status = shape##_##tier(ray, object, to);                                              \
+        tier_output##in *of = to;                                                                  \
+        int status = shape##_##tier##in(ray, object, to);                                          \
         if (status == SURE_HIT)                                                                    \
-            of->normal = sure_##shape##_normal_##tier(ray, object, &of->hit);                      \
+            of->normal = sure_##shape##_normal_##tier##f(ray, object, &of->hit);                   \
         return status;                                                                             \
-    }                                                                                              \
+    }
+
+#define FUNCTIONS(shape, tier)                                                                     \
+    HITS_IN(shape, tier, , )                                                                       \
     static int shape##_##tier##_occluded(const void *ray, const void *object)                      \
     {                                                                                              \
         return (int)sure_##shape##_occluded_##tier(ray, object);                                   \
@@ -44,24 +49,10 @@ _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
 
 _Static_assert(offsetof(sure_ray_f, t_max) == 7 * sizeof(float), "likewise");
 
-#define FLOAT_FUNCTIONS(shape, tier)                                                               \
-    static int shape##_##tier##_float(const void *ray, const void *object, void *to)               \
-    {                                                                                              \
-        return (int)sure_##shape##_hit_##tier##_f(ray, object, &((tier_output_float *)to)->hit);   \
-    }                                                                                              \
-    static int shape##_##tier##_normal_float(const void *ray, const void *object, void *to)        \
-    {                                                                                              \
-        tier_output_float *of = to;                                                                \
-        int status = shape##_##tier##_float(ray, object, to);                                      \
-        if (status == SURE_HIT)                                                                    \
-            of->normal = sure_##shape##_normal_##tier##_f(ray, object, &of->hit);                  \
-        return status;                                                                             \
-    }
-
 #define ALL_FUNCTIONS(shape, SHAPE)                                                                \
     TIERS(FUNCTIONS, shape)                                                                        \
-    FLOAT_FUNCTIONS(shape, certain)                                                                \
-    FLOAT_FUNCTIONS(shape, exact)
+    HITS_IN(shape, certain, _float, _f)                                                            \
+    HITS_IN(shape, exact, _float, _f)
 SURE_EACH_SHAPE(ALL_FUNCTIONS)
 
 typedef struct {
