@@ -66,7 +66,7 @@ identity judging_who(const judging *self)
 
 bool judging_is_quick(const judging *self)
 {
-    return self->asked->is_quick && !self->known.program;
+    return self->asked->is_quick && !self->known.programs[0];
 }
 
 ledger *ledger_of(judging *self, query asks, sure_shape shape, int which, char *message)

@@ -39,12 +39,12 @@ static bool by_hit(query asks)
 
 static void ask_program(truth *known, query asks, const sure_case *cases, int count)
 {
-    candidate *of_hits = cases[0].wall ? known->walls : known->program;
+    const truth_kind of_hits = cases[0].wall ? TRUTH_WALLS : TRUTH_HITS;
     known->room.asks = by_hit(asks) ? QUERY_HIT : QUERY_INTERVAL;
     known->room.shape = cases[0].object.shape;
     known->room.count = count;
     memcpy(known->room.cases, cases, (size_t)count * sizeof *cases);
-    candidate_ask(by_hit(asks) ? of_hits : known->intervals, &known->room);
+    candidate_ask(known->programs[by_hit(asks) ? of_hits : TRUTH_INTERVALS], &known->room);
 }
 
 static case_answer exact_chord(const sure_case *question)
@@ -61,13 +61,13 @@ static case_answer exact_chord(const sure_case *question)
 bool truth_ask(truth *known, query asks, const sure_case *cases, const reply *replies, int count,
                case_answer *answers, char *message)
 {
-    if (known->program)
+    if (known->programs[0])
         ask_program(known, asks, cases, count);
     for (int i = 0; i < count; i++) {
         bool with_normal = !replies || replies[i].has_normal;
-        if (known->program && !take(&cases[i], &known->room.replies[i], &answers[i], message))
+        if (known->programs[0] && !take(&cases[i], &known->room.replies[i], &answers[i], message))
             return false;
-        if (!known->program)
+        if (!known->programs[0])
             answers[i] = by_hit(asks) ? case_hit_of(&cases[i], SURE_TIER_EXACT, with_normal)
                                       : exact_chord(&cases[i]);
     }
@@ -76,7 +76,7 @@ bool truth_ask(truth *known, query asks, const sure_case *cases, const reply *re
 
 void truth_complete(const truth *known, example *one)
 {
-    if (!known->program && one->found && by_hit(one->given.to))
+    if (!known->programs[0] && one->found && by_hit(one->given.to))
         one->truth = case_answer_of(&one->question, SURE_TIER_EXACT);
 }
 
@@ -84,7 +84,7 @@ bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status
                     char *message)
 {
     case_answer answer = {.status = SURE_INVALID};
-    if (!known->program) {
+    if (!known->programs[0]) {
         for (int i = 0; i < count; i++)
             statuses[i] = cases[i].wall ? case_answer_of(&cases[i], SURE_TIER_EXACT).status
                                         : sure_object_occluded(&cases[i].ray, &cases[i].object,
@@ -102,8 +102,8 @@ bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status
 
 void truth_close(truth *known)
 {
-    candidate_close(known->program);
-    candidate_close(known->intervals);
-    candidate_close(known->walls);
-    known->program = known->intervals = known->walls = NULL;
+    for (int i = 0; i < TRUTH_KINDS; i++) {
+        candidate_close(known->programs[i]);
+        known->programs[i] = NULL;
+    }
 }

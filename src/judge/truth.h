@@ -5,11 +5,12 @@
 #include "candidates/candidate.h"
 #include "verdict/tally.h"
 
+/* What a program is asked: walls for their first hits. All cases of a block are such, or none. */
+typedef enum { TRUTH_HITS, TRUTH_INTERVALS, TRUTH_WALLS, TRUTH_KINDS } truth_kind;
+
 typedef struct {
-    candidate *program;   /* NULL: `exact` */
-    candidate *intervals; /* the same program, which is asked for them */
-    candidate *walls;     /* and for the first hits of walls: all cases of a block are, or none */
-    block room;           /* for its replies */
+    candidate *programs[TRUTH_KINDS]; /* the same one; NULL: `exact` */
+    block room;                       /* for its replies */
 } truth;
 
 /* That of surehit-reference, which is looked for beside this program, where both were built, and on

@@ -297,7 +297,7 @@ bool walk_steps(const walk_plan *plan, truth *known, sure_shape shape, walk_kind
                 walk_sum *sum, char *message)
 {
     uint64_t crowds = plan->steps / CROWD_STEPS + (plan->steps % CROWD_STEPS > 0);
-    bool one = plan->by.asked || known->program; /* a process for all */
+    bool one = plan->by.asked || known->programs[0]; /* a process for all */
     bool done = true;
     int threads = one ? 1 : openmp_threads(plan->threads);
     (void)threads;
