@@ -9,6 +9,7 @@
 #include "../support/atomic_file.h"
 #include "../support/complain.h"
 #include "../support/fnv.h"
+#include "../support/folder.h"
 #include "../support/json_file.h"
 
 #include <errno.h>
@@ -18,7 +19,6 @@
 #include <string.h>
 
 #define NAME "surehit vectors"
-#define PATH_MOST 4096
 #define SOURCE_MOST 63
 
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question)
@@ -281,25 +281,17 @@ static int write_path(const char *path, const writing *of, const char *text, siz
 
 int vectors_write(const vectors_plan *plan, sure_shape shape)
 {
-    char path[PATH_MOST], *text = NULL;
+    const char *name = sure_shape_name(shape);
+    char *path = folder_path(plan->folder, name, strlen(name), ".jsonl"), *text = NULL;
     size_t size = 0;
-    writing to = {.plan = plan, .shape = shape};
-    int length = snprintf(path, sizeof path, "%s/%s.jsonl", plan->folder, sure_shape_name(shape));
+    writing to = {.plan = plan, .shape = shape, .out = open_memstream(&text, &size)};
     (void)entry_read(plan->entry, &to.by);
-    if (length >= PATH_MOST) {
-        complain(stderr, NAME, "too long: '%s'", plan->folder);
-        return 2;
-    }
-    to.out = open_memstream(&text, &size);
-    if (!to.out) {
-        complain(stderr, NAME, "no memory");
-        return 1;
-    }
-    bool done = write_cases(&to);
-    bool kept = fclose(to.out) == 0;
-    int status = !done ? 2 : kept ? write_path(path, &to, text, size) : 1;
+    bool done = path && to.out && write_cases(&to);
+    bool kept = to.out && fclose(to.out) == 0 && path;
+    int status = !kept ? 1 : done ? write_path(path, &to, text, size) : 2;
     if (!kept)
         complain(stderr, NAME, "no memory");
     free(text);
+    free(path);
     return status;
 }
