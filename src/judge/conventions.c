@@ -131,8 +131,7 @@ bool conventions_ask(judging *self, sure_shape shape, convention_words *said)
         return false;
     for (int i = 0; i < count; i++) {
         const reply *given = &answered[i].given;
-        const reply right = {
-            .to = given->to, .status = answered[i].truth.status, .t = answered[i].truth.t};
+        const reply right = reply_of(&answered[i].truth, given->to);
         say(&answered[i], given, said->candidate[list[i]]);
         say(&answered[i], &right, said->contract[list[i]]);
     }

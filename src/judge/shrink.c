@@ -106,12 +106,7 @@ static unsigned wrong_of(const sure_case *question, sure_tier tier, against by)
     const unsigned decision = (FAULT_BIT(FAULTS_OF_DECISION) - 1) | of_invalid;
     const case_answer given = case_answer_of(question, tier);
     const case_answer right = case_answer_of(question, SURE_TIER_EXACT);
-    const reply said = {.status = given.status,
-                        .field = given.field,
-                        .t = given.t,
-                        .part = (int)given.part,
-                        .has_normal = true,
-                        .normal = given.normal};
+    const reply said = reply_of(&given, QUERY_HIT);
     unsigned found = faults_of(question, &right, &said);
     if ((found & decision) != 0 || given.status != SURE_HIT || by == AGAINST_DECISION)
         return found & decision;

@@ -11,15 +11,8 @@ const char *worst_name(int kind)
 example_lines example_lines_of(const example *one)
 {
     example_lines lines;
-    const case_answer *is = &one->truth;
-    const reply right = {.to = one->given.to,
-                         .status = is->status,
-                         .field = is->field,
-                         .t = is->t,
-                         .t_leave = is->t_leave,
-                         .part = (int)is->part,
-                         .has_normal = !one->question.wall,
-                         .normal = is->normal};
+    reply right = reply_of(&one->truth, one->given.to);
+    right.has_normal = !one->question.wall;
     case_print(&one->question, lines.question);
     reply_print(&one->given, lines.given);
     reply_print(&right, lines.right);

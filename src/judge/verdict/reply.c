@@ -16,15 +16,25 @@ static const struct {
 } forms[] = {{"", true, true}, {" 0 0 0", true, false}, {" surface 0 0 0", false, false}};
 #define FORMS (sizeof forms / sizeof *forms)
 
-static reply reply_of(const case_answer *answer, bool part, bool normal)
+reply reply_of(const case_answer *answer, query to)
 {
-    bool hit = answer->status == SURE_HIT;
-    return (reply){.status = answer->status,
+    return (reply){.to = to,
+                   .status = answer->status,
                    .field = answer->field,
                    .t = answer->t,
-                   .part = hit && part ? (int)answer->part : REPLY_NO_PART,
-                   .has_normal = hit && normal,
+                   .t_leave = answer->t_leave,
+                   .part = (int)answer->part,
+                   .has_normal = true,
                    .normal = answer->normal};
+}
+
+static reply reply_with(const case_answer *answer, bool part, bool normal)
+{
+    bool hit = answer->status == SURE_HIT;
+    reply given = reply_of(answer, QUERY_HIT);
+    given.part = hit && part ? given.part : REPLY_NO_PART;
+    given.has_normal = hit && normal;
+    return given;
 }
 
 /* Blanks and tabs at the ends are nothing, between words they are one blank. Too long: false. */
@@ -62,12 +72,13 @@ reply reply_read(const char *line)
     if (unnamed) {
         snprintf(whole, sizeof whole, "%.*s surface %s", (int)(unnamed - words), words,
                  unnamed + 3);
-        return case_answer_read(whole, &answer) ? reply_of(&answer, false, true) : garbage_of(line);
+        return case_answer_read(whole, &answer) ? reply_with(&answer, false, true)
+                                                : garbage_of(line);
     }
     for (size_t i = 0; i < FORMS; i++) {
         snprintf(whole, sizeof whole, "%s%s", words, forms[i].rest);
         if (case_answer_read(whole, &answer))
-            return reply_of(&answer, forms[i].part, forms[i].normal);
+            return reply_with(&answer, forms[i].part, forms[i].normal);
     }
     if (strcmp(words, "invalid") == 0 || strcmp(words, "invalid line") == 0)
         return (reply){.status = SURE_INVALID, .part = REPLY_NO_PART};

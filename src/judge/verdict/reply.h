@@ -56,6 +56,9 @@ reply reply_read(const char *line);
 /* Likewise of who is asked intervals: `interval <t_enter> <t_leave>` in the place of hits. */
 reply reply_read_interval(const char *line);
 
+/* The answer as a reply to that query, with a normal. */
+reply reply_of(const case_answer *answer, query to);
+
 /* Such a line, or a word for what happened. */
 void reply_print(const reply *given, char line[CASE_LINE_MAX]);
 
