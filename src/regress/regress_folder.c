@@ -114,17 +114,22 @@ static const char *accept_stale(run *r, const char *golden, const regression *fo
     return "not removed";
 }
 
-/* Would it, by a link, be written over a scene? */
-static bool is_scene(const run *r, const char *golden)
+/* Is the file, by a link maybe, one of these? */
+static bool is_among(const char *path, const char *folder, const folder_listing *files)
 {
     bool found = false;
-    for (int i = 0; !found && i < r->scenes->count; i++) {
-        const char *name = r->scenes->names[i];
-        char *scene = folder_path(r->plan->folder, name, strlen(name), "");
-        found = scene && folder_is_same_file(golden, scene);
-        free(scene);
+    for (int i = 0; !found && i < files->count; i++) {
+        char *file = folder_path(folder, files->names[i], strlen(files->names[i]), "");
+        found = file && folder_is_same_file(path, file);
+        free(file);
     }
     return found;
+}
+
+/* Would it be written over a scene? */
+static bool is_scene(const run *r, const char *path)
+{
+    return is_among(path, r->plan->folder, r->scenes);
 }
 
 static const char *accept_picture(run *r, const char *golden, const regression *found)
@@ -220,13 +225,8 @@ static bool is_golden(const run *r, const folder_listing *pictures)
     char *folder = slash ? strndup(page, (size_t)(slash - page) + 1) : NULL;
     bool found = length > ending && strcmp(page + length - ending, PICTURE) == 0 &&
                  folder_is_same_file(folder ? folder : ".", r->golden);
-    for (int i = 0; !found && i < pictures->count; i++) {
-        char *golden = folder_path(r->golden, pictures->names[i], strlen(pictures->names[i]), "");
-        found = golden && folder_is_same_file(page, golden);
-        free(golden);
-    }
     free(folder);
-    return found;
+    return found || is_among(page, r->golden, pictures);
 }
 
 static int look_at_all(run *r, const folder_listing *scenes, const folder_listing *pictures)
