@@ -20,7 +20,6 @@
 
 void certificate_free(certificate *of)
 {
-    free(of->scene);
     free(of->claims);
     json_decref(of->numbers);
     *of = (certificate){0};
@@ -184,12 +183,12 @@ static bool next_line(reader *r)
 static const char *take_header(json_t *header, certificate *read, json_error_t *error)
 {
     sure_statistics *sum = &read->statistics;
-    const char *scene, *tile, *tier, *eye, *end;
+    const char *tile, *tier, *eye, *end, *unread;
     json_t *hash, *options, *rays, *hits, *all, *numbers;
     json_int_t objects, format;
     if (json_unpack_ex(header, error, 0,
                        "{s:I, s:s, s:o, s:I, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:o!}",
-                       "surehit certificate", &format, "scene", &scene, "hash", &hash, "objects",
+                       "surehit certificate", &format, "scene", &unread, "hash", &hash, "objects",
                        &objects, "numbers", &numbers, "eye", &eye, "part", &tile, "tier", &tier,
                        "options", &options, "rays", &rays, "hits", &hits, "totals", &all) != 0)
         return error->text;
@@ -216,8 +215,7 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
         !json_take_named_counts(all, total, &sum->missed, TOTALS))
         return "expected counts of rays, hits and totals";
     read->numbers = json_incref(numbers);
-    read->scene = strdup(scene);
-    return read->scene ? NULL : "no memory";
+    return NULL;
 }
 
 /* For jansson, a character at a time: what stands behind the head is not for it. */

@@ -17,7 +17,6 @@ void claim_print(const pixel_claim *one, char words[CLAIM_WORDS]);
 bool claim_read(const char *line, size_t objects, pixel_claim *read);
 
 typedef struct {
-    char *scene;     /* its path as given, printable */
     uint64_t hash;   /* of its bytes */
     json_t *numbers; /* of its objects, as certificate_numbers tells them */
     sure_vec3 eye;

@@ -144,7 +144,7 @@ static bool check_scene(checking *c, const char *scene)
         done = complain(stderr, scene, ANOTHER "its objects have other numbers");
     json_decref(numbers);
     if (done && !(c->verdicts = malloc((size_t)c->pixels)))
-        done = complain(stderr, of->scene, "no memory");
+        done = complain(stderr, scene, "no memory");
     if (done)
         check_placed(c);
     free(c->verdicts);
