@@ -26,6 +26,11 @@ double *case_number(sure_case *question, int place)
                              : (double *)(void *)&question->object.as + (place - AT_OBJECT);
 }
 
+sure_vec3 *case_vector(sure_case *question, int place)
+{
+    return (sure_vec3 *)(void *)case_number(question, place);
+}
+
 const sure_shape_field *field_at(sure_shape shape, int place)
 {
     const sure_shape_info *info = sure_shape_info_of(shape);

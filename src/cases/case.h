@@ -20,6 +20,10 @@ int case_numbers(sure_shape shape);
 
 /* One of them. */
 double *case_number(sure_case *question, int place);
+
+/* The vector that begins there. */
+sure_vec3 *case_vector(sure_case *question, int place);
+
 void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX]);
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX]);
 

@@ -4,7 +4,6 @@
 #include "../shapes/case_shape.h"
 
 #include <math.h>
-#include <string.h>
 
 double largest(sure_vec3 v)
 {
@@ -22,22 +21,20 @@ static sure_vec3 placed(const pose *where, double size, sure_vec3 p)
     return scaled(size, add(where->move, turned(where, p)));
 }
 
-static void place_object(const layout *lay, const pose *where, double size, double *object)
+static void place_object(const layout *lay, const pose *where, double size, sure_case *c)
 {
     const sure_shape_info *info = sure_shape_info_of(lay->shape);
     sure_vec3 points[2], *point = points;
     case_shape_of(lay->shape)->points(lay, points);
     for (int i = 0; i < info->field_count; i++) {
-        double *at = object + info->fields[i].at;
-        bool normal = info->fields[i].kind == SURE_KIND_NORMAL;
-        if (info->fields[i].kind == SURE_KIND_RADIUS) {
-            *at = times_two_to(where->stretch * lay->r, where->scale);
-            continue;
-        }
-        sure_vec3 v =
-            normal ? scaled(times_two_to(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}))
-                   : placed(where, size, *point++);
-        memcpy(at, &v, sizeof v);
+        const int at = AT_OBJECT + info->fields[i].at;
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            *case_number(c, at) = times_two_to(where->stretch * lay->r, where->scale);
+        else if (info->fields[i].kind == SURE_KIND_NORMAL)
+            *case_vector(c, at) =
+                scaled(times_two_to(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
+        else
+            *case_vector(c, at) = placed(where, size, *point++);
     }
 }
 
@@ -50,7 +47,7 @@ sure_case place(const layout *lay, const pose *where)
     c.ray = (sure_ray){placed(where, size, start),
                        scaled(times_two_to(1, where->d_scale), turned(where, lay->d)),
                        times_two_to(lay->t_min, t_scale), times_two_to(lay->t_max, t_scale)};
-    place_object(lay, where, size, case_number(&c, AT_OBJECT));
+    place_object(lay, where, size, &c);
     return c;
 }
 

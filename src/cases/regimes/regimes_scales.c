@@ -20,13 +20,6 @@ static double power_of(rng *g, int low, int high)
     return times_two_to(1, rng_integer(g, low, high));
 }
 
-static void put(double *number, sure_vec3 v)
-{
-    number[0] = v.x;
-    number[1] = v.y;
-    number[2] = v.z;
-}
-
 /* The object's first point at -back along a, its second one at ahead, its normal a itself. */
 static void put_object(sure_case *c, sure_vec3 a, double back, double ahead, double radius)
 {
@@ -38,7 +31,7 @@ static void put_object(sure_case *c, sure_vec3 a, double back, double ahead, dou
             continue;
         }
         const double by = kind == SURE_KIND_POINT ? -back : ahead;
-        put(case_number(c, i), scaled(by, a));
+        *case_vector(c, i) = scaled(by, a);
         i += 3;
     }
     object_mend(c->object.shape, case_number(c, AT_OBJECT));

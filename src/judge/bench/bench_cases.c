@@ -11,24 +11,18 @@ static double length_of(sure_vec3 v)
     return sqrt(dot(v, v));
 }
 
-/* The three numbers from a place in the object's on. */
-static sure_vec3 *vector_at(sure_object *object, int at)
-{
-    return (sure_vec3 *)(void *)((double *)(void *)&object->as + at);
-}
-
 /* Half an object's extent, or nearly so. */
-static double size_of(const sure_object *object)
+static double size_of(const sure_case *c)
 {
-    const sure_shape_info *info = sure_shape_info_of(object->shape);
-    sure_object of = *object;
+    const sure_shape_info *info = sure_shape_info_of(c->object.shape);
+    sure_case of = *c;
     double size = 0;
     for (int i = 0; i < info->field_count; i++) {
-        const sure_vec3 *x = vector_at(&of, info->fields[i].at);
+        const sure_vec3 *x = case_vector(&of, AT_OBJECT + info->fields[i].at);
         if (info->fields[i].kind == SURE_KIND_RADIUS)
             return x->x;
         if (info->fields[i].kind == SURE_KIND_HIGH)
-            size = length_of(difference_of(*x, *vector_at(&of, 0))) / 2;
+            size = length_of(difference_of(*x, *case_vector(&of, AT_OBJECT))) / 2;
     }
     return size > 0 ? size : 1;
 }
@@ -43,9 +37,9 @@ bool case_same_object(const sure_case *a, const sure_case *b)
 sure_case case_before_object(const sure_case *c, const sure_object *to)
 {
     sure_case made = {.ray = c->ray, .object = *to}, from = *c;
-    const double scale = size_of(to) / size_of(&c->object);
-    const sure_vec3 away = difference_of(c->ray.origin, *vector_at(&from.object, 0));
-    made.ray.origin = sum_of(*vector_at(&made.object, 0), scale, away);
+    const double scale = size_of(&made) / size_of(c);
+    const sure_vec3 away = difference_of(c->ray.origin, *case_vector(&from, AT_OBJECT));
+    made.ray.origin = sum_of(*case_vector(&made, AT_OBJECT), scale, away);
     made.ray.direction = scaled(scale, c->ray.direction);
     return made;
 }
@@ -67,13 +61,13 @@ sure_case case_before_ray(const sure_case *c, const sure_ray *to)
     const sure_vec3 w =
         difference_of(scaled(1 / length, c->ray.direction), scaled(1 / wanted, to->direction));
     for (int i = 0; i < info->field_count; i++) {
-        sure_vec3 *x = vector_at(&made.object, info->fields[i].at);
-        const sure_vec3 *first = vector_at(&from.object, 0);
+        sure_vec3 *x = case_vector(&made, AT_OBJECT + info->fields[i].at);
+        const sure_vec3 *first = case_vector(&from, AT_OBJECT);
         switch (info->fields[i].kind) {
         case SURE_KIND_RADIUS: x->x *= scale; break;
         case SURE_KIND_NORMAL: *x = mirrored(*x, w); break;
         case SURE_KIND_HIGH:
-            *x = sum_of(*vector_at(&made.object, 0), scale, difference_of(*x, *first));
+            *x = sum_of(*case_vector(&made, AT_OBJECT), scale, difference_of(*x, *first));
             break;
         case SURE_KIND_POINT:
         case SURE_KIND_OTHER_POINT:

@@ -117,11 +117,6 @@ static sure_mat3 turn_to_z(sure_vec3 v)
                         {w.x, w.y, w.z}}};
 }
 
-static double *numbers_of(sure_case *c)
-{
-    return case_number(c, AT_OBJECT);
-}
-
 static const sure_shape_field *second_field(const sure_case *c)
 {
     const sure_shape_info *info = sure_shape_info_of(c->object.shape);
@@ -129,60 +124,48 @@ static const sure_shape_field *second_field(const sure_case *c)
                                                                              : NULL;
 }
 
-static sure_vec3 vector_at(const double *at)
-{
-    return (sure_vec3){at[0], at[1], at[2]};
-}
-
-static void put_vector(double *at, sure_vec3 v)
-{
-    at[0] = v.x;
-    at[1] = v.y;
-    at[2] = v.z;
-}
-
 /* The axis goes along +z: everything is turned about the object's first point. A box stays. */
 static void turn_case(sure_case *c)
 {
     const sure_shape_field *second = second_field(c);
-    double *first = numbers_of(c);
     if (!second || second->kind == SURE_KIND_HIGH)
         return;
-    double *at = first + second->at;
+    sure_vec3 *at = case_vector(c, AT_OBJECT + second->at), centre = *case_vector(c, AT_OBJECT);
     bool is_point = second->kind == SURE_KIND_OTHER_POINT;
-    sure_vec3 centre = vector_at(first);
-    sure_vec3 axis = is_point ? add(vector_at(at), negate(centre)) : vector_at(at);
+    sure_vec3 axis = is_point ? add(*at, negate(centre)) : *at;
     sure_mat3 turn = turn_to_z(axis);
     sure_vec3 from = add(c->ray.origin, negate(centre));
     double height = is_point ? sqrt(dot(axis, axis)) : 1;
     c->ray.origin = add(centre, sure_rotation_apply_textbook(&turn, from));
     c->ray.direction = sure_rotation_apply_textbook(&turn, c->ray.direction);
-    put_vector(at, (sure_vec3){is_point ? centre.x : 0, is_point ? centre.y : 0,
-                               is_point ? centre.z + height : height});
+    *at = (sure_vec3){is_point ? centre.x : 0, is_point ? centre.y : 0,
+                      is_point ? centre.z + height : height};
 }
 
 /* By a vector, as rounded. */
 static void move_case(sure_case *c, sure_vec3 by)
 {
     const sure_shape_field *second = second_field(c);
-    double *first = numbers_of(c);
+    sure_vec3 *first = case_vector(c, AT_OBJECT);
     c->ray.origin = add(c->ray.origin, by);
-    put_vector(first, add(vector_at(first), by));
-    if (second && second->kind != SURE_KIND_NORMAL)
-        put_vector(first + second->at, add(vector_at(first + second->at), by));
+    *first = add(*first, by);
+    if (!second || second->kind == SURE_KIND_NORMAL)
+        return;
+    sure_vec3 *other = case_vector(c, AT_OBJECT + second->at);
+    *other = add(*other, by);
 }
 
 /* The middle of the two points goes to the origin; both are as far from it. */
 static void centre_case(sure_case *c)
 {
     const sure_shape_field *second = second_field(c);
-    double *first = numbers_of(c);
     if (!second || second->kind == SURE_KIND_NORMAL)
         return;
-    sure_vec3 half = scaled(0.5, vector_at(first + second->at)); /* the first is 0 */
+    sure_vec3 *other = case_vector(c, AT_OBJECT + second->at);
+    sure_vec3 half = scaled(0.5, *other); /* the first is 0 */
     c->ray.origin = add(c->ray.origin, negate(half));
-    put_vector(first, negate(half));
-    put_vector(first + second->at, half);
+    *case_vector(c, AT_OBJECT) = negate(half);
+    *other = half;
 }
 
 static void start_at_zero(sure_case *c)
@@ -195,7 +178,7 @@ static void start_at_zero(sure_case *c)
 /* As far as all of the object, twice, where it was infinite. */
 static void end_somewhere(sure_case *c)
 {
-    sure_vec3 way = add(vector_at(numbers_of(c)), negate(c->ray.origin));
+    sure_vec3 way = add(*case_vector(c, AT_OBJECT), negate(c->ray.origin));
     double size = object_size(&c->object), distance = sqrt(dot(way, way));
     if (c->ray.t_max > DBL_MAX)
         c->ray.t_max = 2 * (distance + 4 * size) / sqrt(dot(c->ray.direction, c->ray.direction));
@@ -212,11 +195,10 @@ static void make_unit(sure_case *c)
 /* Half as many digits. */
 static void make_square(sure_case *c, precision in)
 {
-    double *numbers = numbers_of(c);
     const sure_shape_info *info = sure_shape_info_of(c->object.shape);
     for (int i = 0; i < info->field_count; i++) {
         int exponent;
-        double *at = numbers + info->fields[i].at;
+        double *at = case_number(c, AT_OBJECT + info->fields[i].at);
         if (info->fields[i].kind != SURE_KIND_RADIUS)
             continue;
         double digits = in == PRECISION_FLOAT ? 12 : 26, mantissa = frexp(*at, &exponent);
@@ -281,7 +263,7 @@ static bool may_be_asked(const entry *all, const sure_case *question)
 static void make_frame(const entry *all, sure_case *c)
 {
     if (all->local || all->centred)
-        move_case(c, negate(vector_at(numbers_of(c))));
+        move_case(c, negate(*case_vector(c, AT_OBJECT)));
     if (all->local || all->centred || all->aligned)
         turn_case(c);
     if (all->centred)

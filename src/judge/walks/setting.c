@@ -58,17 +58,16 @@ static void move_far(pose *where, const layout *lay, rng *g)
 static sure_object stretched_from(sure_vec3 p, double by, const sure_object *object)
 {
     const sure_shape_info *info = sure_shape_info_of(object->shape);
-    const double from[3] = {p.x, p.y, p.z};
     sure_case to = {.object = *object};
-    double *number = case_number(&to, AT_OBJECT);
     for (int i = 0; i < info->field_count; i++) {
-        double *at = number + info->fields[i].at;
+        const int at = AT_OBJECT + info->fields[i].at;
+        sure_vec3 *point = case_vector(&to, at);
         if (info->fields[i].kind == SURE_KIND_RADIUS)
-            *at *= by;
-        for (int k = 0; k < 3 && info->fields[i].kind != SURE_KIND_RADIUS; k++)
-            at[k] = from[k] + by * (at[k] - from[k]);
+            *case_number(&to, at) *= by;
+        else
+            *point = sum_of(p, by, difference_of(*point, p));
     }
-    object_mend(object->shape, number);
+    object_mend(object->shape, case_number(&to, AT_OBJECT));
     return to.object;
 }
 
