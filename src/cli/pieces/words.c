@@ -39,12 +39,10 @@ int words_run(const json_t *asked, const more_words *more)
     const cli_command *command = words_command(asked);
     const json_t *words = json_object_get(asked, "words"), *word;
     size_t i;
-    int count = 0, further = 0;
+    int count = 0;
     if (!command)
         return EXIT_USAGE;
-    for (const more_words *one = more; one->name; one++)
-        further += 2;
-    char **all = calloc(json_array_size(words) + (size_t)further + 1, sizeof *all);
+    char **all = calloc(json_array_size(words) + 2 * MORE_WORDS_MOST + 1, sizeof *all);
     if (!all)
         abort();
     json_array_foreach(words, i, word) append(all, &count, json_string_value(word));

@@ -9,8 +9,9 @@
 /* What is asked by these words, of this program. Takes the array over; NULL: no memory. */
 json_t *words_asked(json_t *words);
 
-/* Runs the command, with an option more for each name that has a value; a NULL name ends them.
- * Returns its exit status. */
+/* Runs the command, with an option more for each name that has a value; a NULL name ends them,
+ * MORE_WORDS_MOST at most. Returns its exit status. */
+#define MORE_WORDS_MOST 3
 typedef struct {
     const char *name, *value; /* "--share", "a.share"; a NULL value: not given; "": it has none */
 } more_words;
