@@ -98,8 +98,7 @@ static json_t *faults_of_row(const verdict *sum)
     json_t *found = json_object();
     for (int i = 0; i < FAULTS; i++) {
         if (sum->faults[i] > 0)
-            json_object_set_new(found, fault_name((fault)i),
-                                json_integer((json_int_t)sum->faults[i]));
+            json_object_set_new(found, fault_name(i), json_integer((json_int_t)sum->faults[i]));
     }
     return found;
 }

@@ -109,9 +109,9 @@ static void tell_margins(const refereed *of)
 static void tell_decisions(const refereed *of)
 {
     for (int i = 0; i < EVENTS; i++)
-        facts_member("decisions/wrong", event_name((event)i), (double)of->events[i]);
+        facts_member("decisions/wrong", event_name(i), (double)of->events[i]);
     for (int i = 0; i < EVENTS; i++)
-        facts_member("decisions/allowed", event_name((event)i), (double)of->allowed[i]);
+        facts_member("decisions/allowed", event_name(i), (double)of->allowed[i]);
 }
 
 /* As findings.c tells programs. */
@@ -131,7 +131,7 @@ static void tell_row(const judging_row *row)
     facts_number("wrong_from", sum->wrong_share.lower);
     facts_number("wrong_to", sum->wrong_share.upper);
     for (int i = 0; i < FAULTS; i++)
-        facts_member("faults", fault_name((fault)i), (double)sum->faults[i]);
+        facts_member("faults", fault_name(i), (double)sum->faults[i]);
     tell_errors("t_ulps", &sum->t_ulps);
     tell_errors("t_relative", &sum->t_relative);
     tell_errors("t_extents", &sum->t_extents);

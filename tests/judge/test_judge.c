@@ -11,6 +11,7 @@
 #include "vectors.h"
 
 #include <signal.h>
+#include <string.h>
 #include <sys/wait.h>
 
 static const double nan_value = NAN;
@@ -377,7 +378,7 @@ TEST(test_tally)
     case_answer miss = {.status = SURE_MISS}, invalid = {.status = SURE_INVALID};
     static const char *const hits[] = {"hit 8", "hit 8 surface 0 0 1", "hit 0x1.0000000000003p+3",
                                        "miss",  "hit 8 wall 1 0 0",    "gone"};
-    tally_clear(&all, PRECISION_DOUBLE);
+    memset(&all, 0, sizeof all);
     for (size_t i = 0; i < sizeof hits / sizeof *hits; i++) {
         reply given = reply_read(hits[i]);
         count(&all, &asked, &hit, &given, NULL);
@@ -405,7 +406,7 @@ TEST(test_tally)
     ck_assert(sum.faulty[FAULT_GARBAGE].found && !sum.faulty[FAULT_FALSE_HIT].found);
     ck_assert_uint_eq(verdict_breaches(&sum), 2); /* invalid accepted, garbage */
     ck_assert_double_lt(sum.wrong_share.lower, 3 / 7.0);
-    tally_clear(&all, PRECISION_DOUBLE);
+    memset(&all, 0, sizeof all);
     sum = tally_verdict(&all);
     ck_assert_uint_eq(sum.cases + sum.wrong + sum.t_ulps.count + sum.t_ulps.right, 0);
     ck_double_same(sum.t_ulps.median, 0);
@@ -421,7 +422,7 @@ TEST(test_classes_of_errors)
     for (int ulps = 0; ulps < 10; ulps++) {
         reply given = reply_read("hit 8");
         given.t += ulps * 0x1p-49;
-        tally_clear(&all, PRECISION_DOUBLE);
+        memset(&all, 0, sizeof all);
         count(&all, &asked, &hit, &given, NULL);
         ck_assert_uint_eq(tally_verdict(&all).t_classes[classes[ulps]], 1);
     }
@@ -434,18 +435,13 @@ TEST(test_classes_of_large_errors)
     static const struct {
         double truth, given;
         int class;
-    } rows[] = {{0, 1, 63},
-                {0, 2, 63},
-                {0, 4, 64},
-                {-2, 2, 64},
-                {-2, 4, 65},
-                {1, NAN, 65}};
+    } rows[] = {{0, 1, 63}, {0, 2, 63}, {0, 4, 64}, {-2, 2, 64}, {-2, 4, 65}, {1, NAN, 65}};
     const sure_case asked = {.ray = {.t_min = -INFINITY, .t_max = INFINITY}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const case_answer hit = {.status = SURE_HIT, .t = rows[i].truth};
         reply given = reply_read("hit 8");
         given.t = rows[i].given;
-        tally_clear(&all, PRECISION_DOUBLE);
+        memset(&all, 0, sizeof all);
         count(&all, &asked, &hit, &given, NULL);
         ck_assert_uint_eq(tally_verdict(&all).t_classes[rows[i].class], 1);
     }
@@ -459,7 +455,7 @@ TEST(test_lengths)
     const case_answer hit = {.status = SURE_HIT, .t = 8}, miss = {.status = SURE_MISS};
     const sure_case asked = {.ray.t_max = INFINITY};
     reply given = reply_read("hit 7"), missed = reply_read("miss");
-    tally_clear(&all, PRECISION_DOUBLE);
+    memset(&all, 0, sizeof all);
     count(&all, &asked, &hit, &given, &by);
     count(&all, &asked, &hit, &missed, &by);
     count(&all, &asked, &miss, &given, &by);

@@ -5,7 +5,7 @@ const char *worst_name(int kind)
 {
     return kind == WORST_T        ? "largest error of t"
            : kind == WORST_NORMAL ? "largest error of the normal"
-                                  : fault_name((fault)kind);
+                                  : fault_name(kind);
 }
 
 example_lines example_lines_of(const example *one)

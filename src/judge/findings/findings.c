@@ -69,11 +69,6 @@ json_t *judging_errors(const error_summary *of)
                      json_measured(of->q9999), "most", json_measured(of->most));
 }
 
-static const char *name_of_fault(int i)
-{
-    return fault_name((fault)i);
-}
-
 json_t *judging_time(double time)
 {
     return json_measured(time > 0 ? time : INFINITY);
@@ -97,7 +92,7 @@ static json_t *row_json(const judging_row *row, const margins *told)
         (json_int_t)sum->valid, "hits", (json_int_t)sum->hits, "skipped", (json_int_t)sum->skipped,
         "unasked", (json_int_t)sum->unasked, "wrong", (json_int_t)sum->wrong, "wrong_from",
         json_measured(sum->wrong_share.lower), "wrong_to", json_measured(sum->wrong_share.upper),
-        "faults", json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
+        "faults", json_named_counts(fault_name, sum->faults, FAULTS), "t_ulps",
         judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",
         judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
         judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),

@@ -30,7 +30,7 @@ static json_t *rules_json(const promises *required)
     json_t *list = json_array();
     char line[CASE_LINE_MAX];
     for (int i = FAULTS_OF_DECISION; i < FAULTS; i++)
-        json_array_append_new(list, rule_json(fault_name((fault)i)));
+        json_array_append_new(list, rule_json(fault_name(i)));
     for (int i = 0; i < required->count; i++) {
         promise_print(&required->list[i], line);
         json_array_append_new(list, rule_json(line));
@@ -94,8 +94,8 @@ static json_t *results_json(const judging_plan *plan, const findings *of)
             continue;
         snprintf(figure, sizeof figure, "%" PRIu64 " of %" PRIu64 " cases", row->sum.faults[which],
                  row->sum.cases);
-        json_array_append_new(list, result_json(plan, row, fault_name((fault)which), figure,
-                                                &row->sum.faulty[which]));
+        json_array_append_new(
+            list, result_json(plan, row, fault_name(which), figure, &row->sum.faulty[which]));
     }
     for (int i = 0; findings_promised(plan, of, i, &one); i++) {
         snprintf(figure, sizeof figure, "%.9g", one.is);

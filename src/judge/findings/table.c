@@ -104,12 +104,18 @@ static void print_times(const judging_times *of)
         printf(", built in %.0f", of->building);
 }
 
-void findings_print_row(const judging_row *row, int width)
+/* The first columns of a table. */
+static void print_place(const judging_row *row, int width)
 {
-    const verdict *sum = &row->sum;
     judging_words words;
     printf("%-*s %-13s", width, judging_topic(row->asks, row->shape, words),
            judging_row_name(row->which));
+}
+
+void findings_print_row(const judging_row *row, int width)
+{
+    const verdict *sum = &row->sum;
+    print_place(row, width);
     print_share(sum);
     printf(" %7" PRIu64 " %7" PRIu64 " %7" PRIu64, sum->faults[FAULT_FALSE_HIT],
            sum->faults[FAULT_FALSE_MISS], sum->faults[FAULT_WRONG_PART]);
@@ -151,10 +157,13 @@ void findings_print_margins(const judging_plan *plan, const candidate *asked, co
     bool any = false;
     for (int i = 0; i < of->row_count; i++) {
         const judging_row *row = &of->rows[i];
-        judging_words words;
-        const referee_row at = {judging_topic(row->asks, row->shape, words), of->width,
-                                judging_row_name(row->which), &row->sum, &row->looked_at};
-        any = referee_print(&at, &plan->told, &asked->entry, any) || any;
+        if (!referee_tells(&row->sum, &row->looked_at, &asked->entry))
+            continue;
+        if (!any)
+            referee_print_head(of->width, &plan->told, &asked->entry);
+        any = true;
+        print_place(row, of->width);
+        referee_print(&row->sum, &row->looked_at, &plan->told, &asked->entry);
     }
     if (of->left_out > 0)
         printf("\nCase lines of other shapes or regimes, left out: %" PRIu64 "\n", of->left_out);
@@ -171,7 +180,7 @@ static void print_breaches_of(const judging_row *row)
     for (int i = FAULT_REFUSED; i < FAULTS; i++) {
         if (sum->faults[i] == 0)
             continue;
-        printf("%s%s %" PRIu64, before, fault_name((fault)i), sum->faults[i]);
+        printf("%s%s %" PRIu64, before, fault_name(i), sum->faults[i]);
         before = ", ";
     }
     if (sum->unasked > 0)

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-const char *event_name(event which)
+const char *event_name(int which)
 {
 #define EVENT(NAME, name) name,
     static const char *const names[EVENTS] = {EACH_EVENT(EVENT)};

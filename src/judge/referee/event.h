@@ -19,7 +19,7 @@ typedef enum { EACH_EVENT(EVENT) EVENTS } event;
 #undef EVENT
 
 /* "surface", ... */
-const char *event_name(event which);
+const char *event_name(int which);
 
 /* The first of them that it is. Entry: a valid case; the fault, if any (else FAULTS), is one of
  * decision. By the tier exact. */

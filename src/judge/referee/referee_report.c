@@ -17,7 +17,7 @@ const char *referee_unit_words(margin_unit unit)
     return words[unit];
 }
 
-static void print_head(int width, const margins *told, const entry *by)
+void referee_print_head(int width, const margins *told, const entry *by)
 {
     if (told->count > 0)
         printf("\nWrong decisions by what happens in the case; in %% of the valid cases those that "
@@ -29,7 +29,7 @@ static void print_head(int width, const margins *told, const entry *by)
     if (by->declared)
         printf(" %8s %8s", "no entry", "allowed");
     for (int i = 0; i < EVENTS && told->count > 0; i++)
-        printf(" %7s", event_name((event)i));
+        printf(" %7s", event_name(i));
     fputs(told->count > 0 ? " |" : "", stdout);
     for (int i = 0; i < told->count; i++)
         printf(" %7g", told->list[i]);
@@ -45,43 +45,36 @@ static uint64_t sum_of(const uint64_t counts[EVENTS])
 }
 
 /* "-" where no case was asked. */
-static void print_beyond(const referee_row *row, const margins *told)
+static void print_beyond(const verdict *sum, const refereed *of, const margins *told)
 {
-    const double valid = (double)row->sum->valid;
+    const double valid = (double)sum->valid;
     for (int i = 0; i < told->count; i++) {
         if (valid > 0)
-            printf(" %7.3g", 100 * (double)row->of->beyond[i] / valid);
+            printf(" %7.3g", 100 * (double)of->beyond[i] / valid);
         else
             printf(" %7s", "-");
     }
     if (valid > 0)
-        printf(" | %6.2g", refereed_most(row->of));
+        printf(" | %6.2g", refereed_most(of));
     else
         printf(" | %6s", "-");
 }
 
-bool referee_print(const referee_row *row, const margins *told, const entry *by, bool has_head)
+bool referee_tells(const verdict *sum, const refereed *of, const entry *by)
 {
-    const refereed *of = row->of;
-    if (sum_of(of->events) + sum_of(of->allowed) + (by->declared ? row->sum->skipped : 0) == 0)
-        return false;
-    if (!has_head)
-        print_head(row->width, told, by);
-    printf("%-*s %-13s", row->width, row->shape, row->regime);
+    return sum_of(of->events) + sum_of(of->allowed) + (by->declared ? sum->skipped : 0) > 0;
+}
+
+void referee_print(const verdict *sum, const refereed *of, const margins *told, const entry *by)
+{
     if (by->declared)
-        printf(" %8" PRIu64 " %8" PRIu64, row->sum->skipped, sum_of(of->allowed));
+        printf(" %8" PRIu64 " %8" PRIu64, sum->skipped, sum_of(of->allowed));
     for (int i = 0; i < EVENTS && told->count > 0; i++)
         printf(" %7" PRIu64, of->events[i]);
     fputs(told->count > 0 ? " |" : "", stdout);
     if (told->count > 0)
-        print_beyond(row, told);
+        print_beyond(sum, of, told);
     putchar('\n');
-    return true;
-}
-
-static const char *name_of_event(int i)
-{
-    return event_name((event)i);
 }
 
 json_t *referee_margins(const margins *told, const refereed *of)
@@ -99,6 +92,6 @@ json_t *referee_margins(const margins *told, const refereed *of)
 
 json_t *referee_events(const refereed *of)
 {
-    return json_pack("{s:o, s:o}", "wrong", json_named_counts(name_of_event, of->events, EVENTS),
-                     "allowed", json_named_counts(name_of_event, of->allowed, EVENTS));
+    return json_pack("{s:o, s:o}", "wrong", json_named_counts(event_name, of->events, EVENTS),
+                     "allowed", json_named_counts(event_name, of->allowed, EVENTS));
 }

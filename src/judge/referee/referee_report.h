@@ -9,17 +9,10 @@
 /* "of its size", ... */
 const char *referee_unit_words(margin_unit unit);
 
-/* A row of the judge's. */
-typedef struct {
-    const char *shape;
-    int width; /* its, in print */
-    const char *regime;
-    const verdict *sum;
-    const refereed *of;
-} referee_row;
-
-/* One line, and the head before the first. False and nothing: there is nothing to tell. */
-bool referee_print(const referee_row *row, const margins *told, const entry *by, bool has_head);
+/* Lines of a table, whose first columns are printed before; false: there is nothing to tell. */
+bool referee_tells(const verdict *sum, const refereed *of, const entry *by);
+void referee_print_head(int width, const margins *told, const entry *by);
+void referee_print(const verdict *sum, const refereed *of, const margins *told, const entry *by);
 
 /* NULL where no margins are told. */
 json_t *referee_margins(const margins *told, const refereed *of);

@@ -8,7 +8,7 @@
 
 /* Faults. */
 
-const char *fault_name(fault which)
+const char *fault_name(int which)
 {
 #define FAULT(NAME, name) name,
     static const char *const names[FAULTS] = {EACH_FAULT(FAULT)};
@@ -184,12 +184,6 @@ double histogram_quantile(const histogram *all, double share)
 }
 
 /* The tally. */
-
-void tally_clear(tally *all, precision answers_in)
-{
-    memset(all, 0, sizeof *all);
-    all->answers_in = answers_in;
-}
 
 static int class_of(double size)
 {

@@ -37,7 +37,7 @@ typedef enum { EACH_FAULT(FAULT) FAULTS } fault;
 #define FAULTS_ANSWERED FAULT_GARBAGE         /* the first: those of an answer that could be read */
 
 /* "false hit", ... */
-const char *fault_name(fault which);
+const char *fault_name(int which);
 
 /* Has answer and truth the status hit, and the query a t, so that theirs can be compared? */
 bool fault_is_hit(const case_answer *truth, const reply *given);
@@ -142,8 +142,6 @@ typedef struct {
     uint64_t normals_right; /* of t they are the zeros */
     histogram t_ulps, t_relative, normal, t_extents, t_pixels;
 } tally;
-
-void tally_clear(tally *all, precision answers_in);
 
 /* `found`: its faults. Of a case with lengths (by; else NULL) the error of t as a length, too: over
  * the scene's extent, and over what a pixel covers where the true hit is. */
