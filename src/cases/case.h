@@ -68,7 +68,8 @@ case_answer case_hit_of(const sure_case *question, sure_tier tier, bool with_nor
 bool case_has_wall(sure_shape shape);
 case_answer case_wall_answer(const sure_case *question);
 
-/* By exact: is there a hit for another ray, and does its range start in the closed body? */
+/* By exact: is there a hit for another ray, and does its range start in the closed body? Not of
+ * what is invalid. */
 bool case_is_hit(const sure_case *question, const sure_ray *ray);
 bool case_starts_within(const sure_case *question, const sure_ray *ray);
 

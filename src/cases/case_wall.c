@@ -27,7 +27,8 @@ bool case_starts_within(const sure_case *question, const sure_ray *ray)
     sure_ray start = *ray;
     start.t_max = start.t_min;
     if (question->wall)
-        return row_of(question)->wall_side(ray, &question->object.as) <= 0;
+        return sure_object_check(&start, &question->object) == SURE_FIELD_NONE &&
+               row_of(question)->wall_side(&start, &question->object.as) <= 0;
     return sure_object_interval(&start, &question->object, SURE_TIER_EXACT, &unused) == SURE_HIT;
 }
 

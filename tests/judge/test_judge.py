@@ -777,6 +777,9 @@ class Verdicts(InFolder):
             self.assertEqual(camera[name]["hits"], camera["t_ulps"]["hits"])
             self.assertTrue(0 < camera[name]["99"] <= camera[name]["most"] < single[name]["99"])
         block = r"Errors of t as lengths.*\n.*\n\n(.*\n)(box .*\n)\n"
+        chords = self.row(tier("textbook"), "--shape sphere --regime camera --query interval")
+        self.assertTrue(0 < chords["t_pixels"]["hits"] < chords["t_extents"]["hits"])
+        self.assertTrue(0 < chords["t_pixels"]["99"] <= chords["t_pixels"]["most"] < 1)
         head, found = re.search(block, self.succeed("judge", *tier("textbook"), *line.split())) \
             .groups()
         self.assertEqual([float(word) for word in found.split()[1:]],

@@ -233,6 +233,15 @@ class Command(InFolder):
                           map(json.loads, contents("cone.jsonl").splitlines()[1:])],
                          [("apex", 0), ("apex", 1), ("apex", 2)])
 
+    def test_beyond_doubles(self):
+        """A wall's first hit is at 2^1100: no next double has a point that could be asked for."""
+        way = "0 0x1p700 1 0 -0x1p-400 0 0 inf"
+        put("a.cases", f"cone {way} 0 0 4 0 0 0 1\ncylinder {way} 0 0 0 0 0 4 1\n")
+        for shape in ("cone", "cylinder"):
+            self.succeed("vectors", "--entry", "wall", "--shape", shape, "--count", "0",
+                         "--cases", "a.cases")
+            self.assertEqual(json.loads(contents(f"{shape}.jsonl").splitlines()[1])["t"], "inf")
+
     def test_refused(self):
         good = "# one\n\nsphere 0 0 0 0 0 -1 0 inf 0 0 -5 1 -> hit 4 ; why\n"
         for bad in ("cone 1 2\n", "sphere " + "0 " * 2000 + "\n"):

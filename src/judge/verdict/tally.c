@@ -220,11 +220,14 @@ static void add_t(tally *all, const example *one)
         add_end(all, one->given.t_leave, one->truth.t_leave);
 }
 
+/* What is behind the eye, where a chord may begin, is in no pixel. */
 static void add_lengths(tally *all, const example *one, const camera_lengths *by)
 {
-    double off = fabs(one->given.t - one->truth.t) * by->speed;
+    double t = one->truth.t, off = one->given.t == t ? 0 : fabs(one->given.t - t) * by->speed;
+    double way = by->way + t * by->speed;
     histogram_add(&all->t_extents, off / by->extent);
-    histogram_add(&all->t_pixels, off / (by->pixel * (by->way + one->truth.t * by->speed)));
+    if (way > 0)
+        histogram_add(&all->t_pixels, off / (by->pixel * way));
 }
 
 static void add_normal(tally *all, const example *one)
