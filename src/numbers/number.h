@@ -7,7 +7,7 @@
  *
  * makes cone_form_dd of what is called OVER(cone_form) there, and leaves no NUMBER. The numbers:
  *
- *     f64      a double, rounded at each operation
+ *     f64      a double, rounded at each operation (stages/filter.h)
  *     dd       a double-double
  *     ddb      a double-double with a bound of its error, computed along
  *     mod128   an integer modulo 2^128, times a power of two
