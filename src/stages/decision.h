@@ -8,7 +8,6 @@
 #include <surehit/answer.h>
 
 #include <stddef.h>
-#include <string.h>
 
 /* part and leaves, as the bytes of one number. */
 static inline void *hit_names(sure_hit *hit)
@@ -28,9 +27,8 @@ static inline uint64_t hit_names_of(sure_hit answer)
 #endif
 }
 
-/* *hit = answer where `met` is all ones, and stays as it is where that is 0. The place is written
- * in any case: a store to one that is chosen late holds up the loads behind it, by chance of where
- * the code lies. */
+/* *hit = answer where `met` is all ones, and stays as it is where that is 0. It is written in any
+ * case: a store to a place that is chosen late holds up the loads behind it. */
 static inline void hit_where(uint64_t met, sure_hit answer, sure_hit *hit)
 {
     uint64_t names = hit_names_of(answer), before;
@@ -41,9 +39,8 @@ static inline void hit_where(uint64_t met, sure_hit answer, sure_hit *hit)
     memcpy(hit_names(hit), &names, sizeof names);
 }
 
-/* What certain says of one ray before a solid: as filter_first, but the end is chosen before, and
- * what else must be certain is asked of that end alone. It is the first, or from behind it the
- * second. */
+/* What certain says of one ray before a solid: as filter_first, but the end is chosen before, the
+ * first or from behind it the second, and what else must be certain is asked of that end alone. */
 typedef struct {
     uint64_t leaves;       /* all ones: the second */
     double start, t, deep; /* from t_min to the first end; its t; how far that is in the range */
@@ -65,7 +62,7 @@ typedef struct {
 
 /* chord: positive where the line has one, negative where it has none, if that is `known`. clear: is
  * the chosen end then on `part`? first_error: of the first end; error: of the chosen one. Not of a
- * range of one point. */
+ * range of one point. Entry: a known chord has finite ends, for a lesser of two may hide a NaN. */
 static INLINED decided decision_of(const decision_end *at, double chord, bool known, bool clear,
                                    double first_error, double error, uint64_t part,
                                    const sure_ray *ray)
@@ -73,9 +70,11 @@ static INLINED decided decision_of(const decision_end *at, double chord, bool kn
     uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
     double beyond = filter_lesser(fabs(at->start) - first_error, fabs(at->deep) - error);
     uint64_t none = bits_of(chord) >> 63, out = none | bits_of(at->deep) >> 63;
+    bool certain = least < most && most <= FILTER_ENDLESS &&
+                   bits_unknown(known & (none | (uint64_t)(clear & (beyond > 0)))) != 0;
+    assert(!certain || none || (is_finite_bits(at->start) && is_finite_bits(at->t)));
     return (decided){
-        .certain = least < most && most <= FILTER_ENDLESS &&
-                   bits_unknown(known & (none | (uint64_t)(clear & (beyond > 0)))) != 0,
+        .certain = certain,
         .meets = out - 1,
         .hit = {at->t, error, (sure_part)part, (int)(at->leaves & 1)},
     };

@@ -98,6 +98,7 @@ inline bool isunordered(scalar x, scalar y)
         return asked(x.value);                                                                     \
     }
 OF_VALUE(uint64_t, bits_of)
+OF_VALUE(bool, is_finite_bits)
 OF_VALUE(bool, is_negative_bits)
 OF_VALUE(bool, is_subnormal_bits)
 OF_VALUE(bool, is_zero_bits)
