@@ -20,6 +20,11 @@
 #define box_rounded_hit surehit_box_rounded_hit
 #define box_row surehit_box_row
 #define box_surface_row surehit_box_surface_row
+#define capped_touch surehit_capped_touch
+#define close_hit surehit_close_hit
+#define close_polish surehit_close_polish
+#define close_rows surehit_close_rows
+#define close_rows_fused surehit_close_rows_fused
 #define cone_exact_interval surehit_cone_exact_interval
 #define cone_round_normal surehit_cone_round_normal
 #define cone_rounded_hit surehit_cone_rounded_hit
@@ -70,7 +75,7 @@
 #define plane_rounded_hit surehit_plane_rounded_hit
 #define plane_row surehit_plane_row
 #define plane_surface_row surehit_plane_surface_row
-#define query_from_start surehit_query_from_start
+#define query_first surehit_query_first
 #define query_of surehit_query_of
 #define query_side surehit_query_side
 #define query_side_exact surehit_query_side_exact
@@ -89,13 +94,13 @@
 #define shape_rows surehit_shape_rows
 #define sign_of_linear surehit_sign_of_linear
 #define sign_of_quadratic surehit_sign_of_quadratic
-#define spawn_quick_fused surehit_spawn_quick_fused
 #define sphere_rounded_hit surehit_sphere_rounded_hit
 #define sphere_row surehit_sphere_row
 #define sphere_surface_row surehit_sphere_surface_row
+#define stable_interval surehit_stable_interval
 #define stable_rest_of_hit surehit_stable_rest_of_hit
-#define stable_rest_of_interval surehit_stable_rest_of_interval
 #define stages_certain_hit surehit_stages_certain_hit
+#define stages_certain_rest surehit_stages_certain_rest
 #define stages_normal surehit_stages_normal
 #define stages_last_hit surehit_stages_last_hit
 #define stages_last_interval surehit_stages_last_interval

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "rng.h"
 
-#include "../numbers/bits.h"
+#include "../numbers/places.h"
 #include "../geometry/coordinate.h"
 
 #include <math.h>

@@ -80,12 +80,6 @@ static inline bool is_zero_bits(double x)
     return magnitude_bits(x) == 0;
 }
 
-/* Zero is not subnormal. */
-static inline bool is_subnormal_bits(double x)
-{
-    return magnitude_bits(x) - 1 < BITS_FRACTION;
-}
-
 static inline bool is_finite_bits(double x)
 {
     return magnitude_bits(x) < BITS_INFINITY;
@@ -101,12 +95,6 @@ static inline int exponent_of(double x)
 static inline double power_of_two(int e)
 {
     return double_of((uint64_t)(e + 1023) << 52);
-}
-
-/* x 2^e, as ldexp has it, which is called only where 2^e is no normal double. */
-static inline double times_two_to(double x, int e)
-{
-    return e >= -1022 && e <= 1023 ? x * power_of_two(e) : ldexp(x, e);
 }
 
 /* Of an integer up to its first 1; x is not 0. Without the second bit no rounding makes a greater

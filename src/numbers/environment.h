@@ -9,8 +9,6 @@
  * first. */
 #pragma once
 
-#include "bits.h"
-
 #include <stdbool.h>
 
 #if defined(__x86_64__) && defined(__SSE2_MATH__) && defined(__GNUC__)
@@ -31,16 +29,6 @@ static inline bool environment_is_nearest(void)
     return above == below;
 }
 
-/* Is it also none that flushes subnormals, results or operands? Then twice the least double is 2 of
- * it. By its sums, since to read the environment itself takes some processors longer; they wait for
- * nothing. */
-static inline bool environment_is_default(void)
-{
-    static const volatile double tiny = 0x1p-60, least = 0x1p-1074;
-    double x = tiny, y = least;
-    return ((bits_of(1 + x) ^ bits_of(1 - x)) | (bits_of(y + y) ^ 2)) == 0;
-}
-
 /* To the default environment: round to nearest, gradual underflow, no traps. */
 static inline void environment_enter(environment *saved)
 {
@@ -50,20 +38,6 @@ static inline void environment_enter(environment *saved)
 #else
     fegetenv(saved);
     fesetenv(FE_DFL_ENV);
-#endif
-}
-
-/* From here on subnormals count as zero, results and operands: some processors multiply them
- * slowly, and a point beside a plane through 0 has one. Only on x86-64, and in round to nearest: in
- * the other modes a sum tells a subnormal from zero. */
-static inline void environment_flush(environment *saved)
-{
-#ifdef ENVIRONMENT_IS_MXCSR
-    *saved = __builtin_ia32_stmxcsr();
-    const bool directed = (*saved & 0x6000) != 0;
-    __builtin_ia32_ldmxcsr(*saved | (directed ? 0 : 0x8040)); /* FTZ, DAZ */
-#else
-    fegetenv(saved);
 #endif
 }
 
@@ -77,9 +51,8 @@ static inline void environment_leave(const environment *saved)
 #endif
 }
 
-/* result = call, in an environment that rounds to nearest; in the default one. */
+/* result = call, in an environment that rounds to nearest. */
 #define TO_NEAREST(result, call) ENVIRONMENT_SET(environment_is_nearest(), result, call)
-#define TO_DEFAULT(result, call) ENVIRONMENT_SET(environment_is_default(), result, call)
 #define ENVIRONMENT_SET(is_set, result, call)                                                      \
     do {                                                                                           \
         if (is_set) {                                                                              \

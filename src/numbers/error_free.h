@@ -26,9 +26,15 @@ static inline double_pair fast_two_sum(double x, double y)
     return (double_pair){head, y - (head - x)};
 }
 
+#if defined PRODUCTS_APART && !defined __FP_FAST_FMA
+#define EXACT_PRODUCT __attribute__((unused)) static NOT_INLINED double_pair
+#else
+#define EXACT_PRODUCT static INLINED double_pair
+#endif
+
 /* By an FMA where there is one, else by Dekker's and Veltkamp's splitting, the same number unless
  * that overflows or digits of a tail are below the least double. */
-static INLINED double_pair two_product(double x, double y)
+EXACT_PRODUCT two_product(double x, double y)
 {
     double head = x * y;
 #ifdef __FP_FAST_FMA

@@ -28,3 +28,15 @@ static inline double at_place(int64_t place)
 {
     return place < 0 ? double_of((uint64_t)-place | BITS_SIGN) : double_of((uint64_t)place);
 }
+
+/* x 2^e, as ldexp has it, which is called only where 2^e is no normal double. */
+static inline double times_two_to(double x, int e)
+{
+    return e >= -1022 && e <= 1023 ? x * power_of_two(e) : ldexp(x, e);
+}
+
+/* Zero is not subnormal. */
+static inline bool is_subnormal_bits(double x)
+{
+    return magnitude_bits(x) - 1 < BITS_FRACTION;
+}

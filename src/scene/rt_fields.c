@@ -236,7 +236,8 @@ static bool read_triple(rt_reader *r, const rt_field *f, sure_vec3 *triple)
     const char *start = r->at;
     r->decimals = r->underflow = false;
     for (int i = 0; i < 3; i++) {
-        if (!read_number(r, f, (double *)(void *)triple + i))
+        double *part = (double *)(void *)triple + i;
+        if (!read_number(r, f, part))
             return false;
         if (i == 2)
             break;
@@ -247,7 +248,7 @@ static bool read_triple(rt_reader *r, const rt_field *f, sure_vec3 *triple)
             continue;
         if (r->at < r->end && *r->at == ',')
             rt_fault(r, r->at, "a blank before a comma; expected it right behind the number");
-        else
+        else if (!isnan(*part)) /* which is told already */
             rt_fault(r, start, "%s of %s; expected three parts, %s", f->name,
                      i == 0 ? "one part" : "two parts", f->expected);
         return false;

@@ -51,10 +51,22 @@ sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const 
     return span_hit(&found, ray, hit);
 }
 
-sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
-                                    const void *shape, sure_interval *interval)
+sure_status stable_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                            const void *shape, sure_interval *interval)
 {
     query q;
+    filter_interval known;
+    filter_verdict verdict = row->filter(ray, shape, &known);
+    if (verdict == FILTER_INTERVAL)
+        verdict = filter_meets(&known, ray);
+    if (verdict == FILTER_MISS)
+        return SURE_MISS;
+    if (verdict == FILTER_INTERVAL) {
+        *interval = (sure_interval){known.enter.t, known.leave.t, known.enter.end.part,
+                                    known.leave.end.part};
+        stages_order_ends(interval);
+        return SURE_HIT;
+    }
     if (shape_check(row, ray, shape) != SURE_FIELD_NONE)
         return SURE_INVALID;
     (void)query_of(ray, row, shape, &q);

@@ -12,8 +12,10 @@ typedef span stable_guess(const sure_ray *ray, const void *shape);
 /* Where the first stage is uncertain of the ray as it is asked. Entry: any input. */
 sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const sure_ray *ray,
                                const void *shape, sure_hit *hit);
-sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
-                                    const void *shape, sure_interval *interval);
+
+/* The whole question: few ask it, so it is one function. */
+sure_status stable_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                            const void *shape, sure_interval *interval);
 
 static INLINED sure_status stable_hit(const shape_row *row, first_stage *filter,
                                       stable_guess *guess, const sure_ray *ray, const void *shape,
@@ -31,25 +33,6 @@ static INLINED sure_status stable_hit(const shape_row *row, first_stage *filter,
     return stable_rest_of_hit(row, guess, ray, shape, hit);
 }
 
-static INLINED sure_status stable_interval(const shape_row *row, first_stage *filter,
-                                           stable_guess *guess, const sure_ray *ray,
-                                           const void *shape, sure_interval *interval)
-{
-    filter_interval found;
-    filter_verdict verdict = filter(ray, shape, &found);
-    if (verdict == FILTER_INTERVAL)
-        verdict = filter_meets(&found, ray);
-    if (verdict == FILTER_MISS)
-        return SURE_MISS;
-    if (verdict == FILTER_INTERVAL) {
-        *interval = (sure_interval){found.enter.t, found.leave.t, found.enter.end.part,
-                                    found.leave.end.part};
-        stages_order_ends(interval);
-        return SURE_HIT;
-    }
-    return stable_rest_of_interval(row, guess, ray, shape, interval);
-}
-
 #define STABLE_QUESTIONS(shape)                                                                    \
     sure_status sure_##shape##_hit_stable(const sure_ray *ray, const sure_##shape *s,              \
                                           sure_hit *hit)                                           \
@@ -59,7 +42,7 @@ static INLINED sure_status stable_interval(const shape_row *row, first_stage *fi
     sure_status sure_##shape##_interval_stable(const sure_ray *ray, const sure_##shape *s,         \
                                                sure_interval *interval)                            \
     {                                                                                              \
-        return stable_interval(&shape##_row, shape##_filter, shape##_guess, ray, s, interval);     \
+        return stable_interval(&shape##_row, shape##_guess, ray, s, interval);                     \
     }                                                                                              \
     sure_status sure_##shape##_occluded_stable(const sure_ray *ray, const sure_##shape *s)         \
     {                                                                                              \

@@ -50,7 +50,7 @@ static INLINED decision_end decision_end_of(double enter, double leave, const su
 {
     double start = enter - ray->t_min;
     uint64_t leaves = bits_unknown(-(bits_of(start) >> 63));
-    double t = filter_either(leaves, leave, enter);
+    double t = filter_choose(filter_negative(start), leave, enter);
     return (decision_end){leaves, start, t, filter_lesser(t - ray->t_min, ray->t_max - t)};
 }
 
@@ -67,7 +67,9 @@ static INLINED decided decision_of(const decision_end *at, double chord, bool kn
                                    double first_error, double error, uint64_t part,
                                    const sure_ray *ray)
 {
-    uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
+    /* Read anew: no register of doubles waits to be told as bits. */
+    const sure_ray *again = (const sure_ray *)(uintptr_t)bits_unknown((uintptr_t)ray);
+    uint64_t least = bits_of(again->t_min), most = bits_of(again->t_max);
     double beyond = filter_lesser(fabs(at->start) - first_error, fabs(at->deep) - error);
     uint64_t none = bits_of(chord) >> 63, out = none | bits_of(at->deep) >> 63;
     bool certain = least < most && most <= FILTER_ENDLESS &&

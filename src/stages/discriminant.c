@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../numbers/environment.h"
 #include "../numbers/mod128_value.h"
+#include "close.h"
 #include "hits/surface.h"
 
 #include <assert.h>
@@ -16,7 +17,7 @@ typedef struct {
 
 static NOT_INLINED estimate by_dd(const shape_row *row, const sure_ray *ray, const void *shape)
 {
-    two_terms_dd terms = row->discriminant_dd(ray, shape);
+    two_terms_dd terms = close_of(row)->discriminant(ray, shape);
     return (estimate){difference_dd(NULL, terms), terms.more.head + terms.less.head};
 }
 
@@ -79,18 +80,30 @@ NOT_INLINED bool tangent_polish(const shape_row *row, const sure_ray *ray, const
     return ddb_rounds_to(ddb_sub(&c, ddb_of(&c, t), step), rounded) && !c.uncertain;
 }
 
-/* t* - x = -s/a: the sign of the slope at x, by double-doubles, then by its low bits. */
+/* As doubles have a slope it is off by less than this times what its terms come to, each of which
+ * passes through fewer roundings than 2^6; and more than what underflows. */
+#define SLOPE_SHARE 0x1p-46
+#define SLOPE_FLOOR 0x1p-600
+
+static NOT_INLINED bool slope_sign(const shape_row *row, const sure_ray *ray, const void *shape,
+                                   double x, int *sign)
+{
+    ddb_context c = {false};
+    *sign = ddb_sign(&c, surface_slope(&c, row, ray, shape, ddb_of(&c, x)).half_slope);
+    return !c.uncertain;
+}
+
+/* t* - x = -s/a: the sign of the slope at x, which mostly vanishes there or next to it: so by its
+ * low bits, then by double-doubles. */
 NOT_INLINED bool tangent_order(const shape_row *row, const sure_ray *ray, const void *shape,
                                double x, int *sign)
 {
     assert(environment_is_nearest());
-    ddb_context c = {false};
-    ddb slope = surface_slope(&c, row, ray, shape, ddb_of(&c, x)).half_slope;
-    bool known;
-    *sign = ddb_sign(&c, slope);
-    known = !c.uncertain;
-    if (!known)
-        known = mod128_sign(ddb_most(slope), row->slope_mod128(ray, shape, x), sign);
+    const surface_row *of = row->surface;
+    double nearly = fabs(of->slope_f64(ray, shape, x));
+    double error = SLOPE_SHARE * of->slope_most(ray, shape, x) + SLOPE_FLOOR;
+    bool known = mod128_sign(nearly + error, of->slope_mod128(ray, shape, x), sign) ||
+                 slope_sign(row, ray, shape, x, sign);
     *sign = -*sign;
     return known;
 }

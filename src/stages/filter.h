@@ -115,6 +115,44 @@ typedef struct {
  * or FILTER_MISS with the range valid too. An interval's range is left to what reads it, below; the
  * flat shapes' may answer FILTER_MISS where the crossing is before t_min. */
 
+/* The bits of a double where doubles are computed: what is waited for is chosen there, for it is a
+ * long way to integers' registers and back. Of GCC on x86-64 alone. */
+#if defined(__SSE2__) && !defined(__clang__) && !defined(LANES) && !defined(double)
+typedef uint64_t filter_bits __attribute__((vector_size(16)));
+#define FILTER_PAIR /* a double and what is beside it */
+
+static INLINED filter_bits filter_bits_of(double x)
+{
+    filter_bits bits;
+    __asm__("" : "=x"(bits) : "0"(x));
+    return bits;
+}
+
+static INLINED double filter_double_of(filter_bits bits)
+{
+    double x;
+    __asm__("" : "=x"(x) : "0"(bits));
+    return x;
+}
+#else
+typedef uint64_t filter_bits;
+#define filter_bits_of bits_of
+#define filter_double_of double_of
+#endif
+
+#define FILTER_ONE UINT64_C(0x3ff0000000000000) /* the bits of 1 */
+
+/* All ones where x is negative, -0, too. */
+static INLINED filter_bits filter_negative(double x)
+{
+    return -(filter_bits_of(x) >> 63);
+}
+
+static INLINED double filter_choose(filter_bits mask, double x, double y)
+{
+    return filter_double_of((filter_bits_of(x) & mask) | (filter_bits_of(y) & ~mask));
+}
+
 /* All ones where it holds, else 0. What is as good as random is chosen by it and by no branch. */
 static inline uint64_t filter_all(bool condition)
 {
@@ -186,7 +224,7 @@ static inline bool filter_scales(double x, double y, double z)
  * 2^-e (1 - f/2), which is no less than 2^-e / (1 + f). x: positive, normal, 1/x too. */
 static inline double filter_reciprocal_above(double x)
 {
-    return double_of(2 * bits_of(1) - bits_of(x));
+    return filter_double_of(2 * FILTER_ONE - filter_bits_of(x));
 }
 
 /* |t - t*| <= error <= t: what t is off by at most, with what its sum and difference with this

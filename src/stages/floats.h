@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "../numbers/flushing.h"
 #include "stages.h"
 
 #include <surehit/floats.h>

@@ -2,7 +2,10 @@
 #include "query.h"
 
 #include "../numbers/environment.h"
+#include "../numbers/places.h"
+#include "close.h"
 #include "hits/surface.h"
+#include "whole_point.h"
 
 /* Magnitudes as bits: the largest of some numbers, and the least that is not zero, less one. */
 typedef struct {
@@ -151,37 +154,114 @@ NOT_INLINED int query_side_exact(const shape_row *row, const void *shape, sure_v
     return row->surface->side_exact(&c, shape, p);
 }
 
-/* Of the start, by double-doubles, and where they can't tell exactly. */
-static int start_side(const shape_row *row, const query *q, sure_stage *stage)
+/* On which side the ray's point at t is: by double-doubles, and where they can't tell exactly.
+ * False where the point is no double's. */
+static bool side_at(const shape_row *row, const query *q, double t, int *side, sure_stage *stage)
 {
-    bool known;
-    int side;
-    TO_NEAREST(known, query_side(row, q->shape, q->ray->origin, &side));
+    sure_vec3 p = q->ray->origin;
+    bool whole = true, known;
+    if (!is_zero_bits(t))
+        TO_NEAREST(whole, whole_point(q->ray, t, &p));
+    if (!whole)
+        return false;
+    TO_NEAREST(known, query_side(row, q->shape, p, side));
     if (known)
-        return side;
+        return true;
     *stage = SURE_STAGE_EXACT;
-    return query_side_exact(row, q->shape, q->ray->origin);
+    *side = query_side_exact(row, q->shape, p);
+    return true;
 }
 
-filter_verdict query_from_start(const shape_row *row, const query *q, filter_interval *found,
-                                filter_end *first, sure_stage *stage)
+/* An end of a chord, and what it is compared with. */
+typedef struct {
+    const shape_row *row;
+    const query *q;
+    const filter_interval *found;
+    const filter_end *end;
+} compared;
+
+/* The sign of t* - x: within the solid x is between the ends; outside and on the boundary, as the
+ * other end tells. False where that is next to x, too. */
+static bool order_by_side(const compared *of, double x, int *sign, sure_stage *stage)
 {
-    filter_end *enter = &found->enter, *leave = &found->leave;
-    if (!row->info.solid || bits_of(q->ray->t_min) != 0 || !filter_range(q->ray))
-        return FILTER_UNCERTAIN;
-    const int side = start_side(row, q, stage);
-    const bool behind = -enter->t > enter->error, ahead = leave->t > leave->error;
-    if (side == 0) {
-        filter_end *at = ahead ? enter : leave;
-        at->t = at->error = 0;
-        return ahead != behind ? filter_first_known(found, q->ray, first) : FILTER_UNCERTAIN;
+    const filter_end *enter = &of->found->enter, *leave = &of->found->leave;
+    const bool enters = of->end == enter;
+    const bool alone = enters ? leave->t - x > leave->error : x - enter->t > enter->error;
+    int side;
+    if (!side_at(of->row, of->q, x, &side, stage) || (side >= 0 && !alone))
+        return false;
+    *sign = enters ? side : -side;
+    return true;
+}
+
+/* By a step from x to the end. */
+static bool order_by_step(const compared *of, double x, int *sign)
+{
+    polish_step way;
+    TO_NEAREST(way, close_of(of->row)->step(of->q->ray, of->q->shape, of->end->end, x));
+    *sign = way.step > 0 ? 1 : -1;
+    return way.certain && fabs(way.step) > way.error;
+}
+
+/* Of a touch, or of an apex from which the line goes on within: there a < 0, which turns the
+ * slope's sign. */
+static bool order_by_slope(const compared *of, double x, int *sign)
+{
+    const filter_interval *found = of->found;
+    bool known, touches = found->enter.end.at == found->leave.end.at;
+    TO_NEAREST(known, tangent_order(of->row, of->q->ray, of->q->shape, x, sign));
+    *sign = touches ? *sign : -*sign;
+    return known;
+}
+
+/* t* - x, x a bound of the range. Where t* is not after 0, it is before an x that is. */
+static bool order(const compared *of, double x, int *sign, sure_stage *stage)
+{
+    const filter_end *end = of->end;
+    bool known = fabs(end->t - x) > end->error;
+    *sign = end->t > x ? 1 : -1;
+    if (known)
+        return true;
+    if (filter_at_start(end)) { /* and x may be subnormal */
+        *sign = is_zero_bits(x) ? 0 : -1;
+        return true;
     }
-    if (side > 0 && behind)
-        return FILTER_MISS;
-    if (side > 0 && !ahead)
+    if (end->end.at == END_TANGENT) {
+        *stage = SURE_STAGE_MOD128;
+        return order_by_slope(of, x, sign);
+    }
+    if (order_by_step(of, x, sign) || order_by_side(of, x, sign, stage))
+        return true;
+    known = !is_zero_bits(x) && fabs(end->t) <= end->error && order_by_side(of, 0, sign, stage) &&
+            *sign <= 0;
+    *sign = -1;
+    return known;
+}
+
+filter_verdict query_first(const shape_row *row, const query *q, filter_interval *found,
+                           filter_end *first, sure_stage *stage)
+{
+    const double least = q->ray->t_min, most = q->ray->t_max;
+    compared of = {row, q, found, &found->enter};
+    int after, beyond;
+    if (!row->info.solid || !filter_range(q->ray) || !order(&of, least, &after, stage))
         return FILTER_UNCERTAIN;
-    *first = side > 0 ? *enter : *leave;
-    if (q->ray->t_max - first->t > first->error)
-        return FILTER_INTERVAL;
-    return first->t - q->ray->t_max > first->error ? FILTER_MISS : FILTER_UNCERTAIN;
+    if (after < 0) {
+        of.end = &found->leave;
+        if (!order(&of, least, &after, stage))
+            return FILTER_UNCERTAIN;
+        if (after < 0)
+            return FILTER_MISS;
+    }
+    if (!order(&of, most, &beyond, stage))
+        return FILTER_UNCERTAIN;
+    filter_end *at = of.end == &found->enter ? &found->enter : &found->leave;
+    if (at == &found->leave)
+        found->enter.t = -INFINITY; /* it is before that, as near as both may seem */
+    if (after == 0 || (beyond == 0 && at->end.at == END_TANGENT)) {
+        at->t = after == 0 ? least : most;
+        at->error = 0;
+    }
+    *first = *at;
+    return beyond > 0 ? FILTER_MISS : FILTER_INTERVAL;
 }

@@ -48,8 +48,9 @@ static inline bool query_unscale(const query *q, double t, double *asked)
 bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side);
 int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p);
 
-/* A ray from t = 0 on with an end next to its start: from within it leaves by the second end; from
- * outside both are ahead or both behind, as the one that is farther off tells: t* > 0, whatever is
- * said of it. On the boundary the end next to it is at 0. *stage: which told the start's side. */
-filter_verdict query_from_start(const shape_row *row, const query *q, filter_interval *found,
-                                filter_end *first, sure_stage *stage);
+/* The first end of a solid's chord in [t_min, t_max], where a bound of these is next to an end: by
+ * a step from the bound to the end, or by the side on which the ray's point is, where that is a
+ * double's. An end that is found to be at t_min is put there: t exactly, no error; likewise a
+ * touch at t_max. *stage: which told. */
+filter_verdict query_first(const shape_row *row, const query *q, filter_interval *found,
+                           filter_end *first, sure_stage *stage);

@@ -19,6 +19,7 @@ typedef filter_verdict first_stage(const sure_ray *, const void *shape, filter_i
 
 typedef struct shape_row {
     sure_shape_info info;
+    sure_shape shape;
 
     first_stage *filter;
 
@@ -27,19 +28,10 @@ typedef struct shape_row {
     filter_verdict (*refine)(const sure_ray *, const void *shape, bool both_ends, filter_interval *,
                              sure_stage *);
 
-    /* In the place of refine and step for hits of planar shapes. Entry: round to nearest. */
-    filter_verdict (*refine_hit)(const sure_ray *, const void *shape, t_wanted, sure_hit *);
+    int steps; /* t is polished by so many */
 
-    /* How t of an end that is certain and no tangent is polished, and by how many steps. Entry:
-     * round to nearest. */
-    polish_stepping *step;
-    int steps;
-
-    /* Of a body D as a difference, and half its slope along the ray at o + x d. Not inlined, since
-     * they are called in another floating-point environment. */
-    two_terms_dd (*discriminant_dd)(const sure_ray *, const void *shape);
+    /* Of a body D as a difference (<shape>_tmpl.h). */
     two_terms_mod128 (*discriminant_mod128)(const sure_ray *, const void *shape);
-    mod128 (*slope_mod128)(const sure_ray *, const void *shape, double x);
 
     /* The last stage: the interval in exact numbers, and the normal at its first end. */
     tagged_interval (*exact_interval)(exact_context *, const sure_ray *, const void *shape,
@@ -50,11 +42,6 @@ typedef struct shape_row {
     /* What is asked of a hit (hits/surface.h). */
     const struct surface_row *surface;
 } shape_row;
-
-/* discriminant_dd, discriminant_mod128 and slope_mod128 as <shape>_tmpl.h has them. */
-#define SHAPE_BODY(shape)                                                                          \
-    .discriminant_dd = shape##_discriminant_of_dd,                                                 \
-    .discriminant_mod128 = shape##_discriminant_of_mod128, .slope_mod128 = shape##_slope_at_mod128
 
 /* The rows: each is defined in its shape's folder. */
 #define DECLARE_ROW(shape, SHAPE)                                                                  \
@@ -76,6 +63,15 @@ sure_field shape_check(const shape_row *row, const sure_ray *ray, const void *sh
  * environment. */
 bool discriminant_of(const shape_row *row, const sure_ray *ray, const void *shape, double measure,
                      double bound, known_discriminant *found);
+
+/* t of an end that is certain rounded correctly, by what the shape computes in double-doubles
+ * (close.h); false where it can't be told, and in other environments. */
+bool close_polish(const shape_row *row, const sure_ray *ray, const void *shape,
+                  const filter_end *end, double *t);
+
+/* A hit of a planar shape in double-doubles; uncertain of others, and in other environments. */
+filter_verdict close_hit(const shape_row *row, const sure_ray *ray, const void *shape,
+                         t_wanted wanted, sure_hit *hit);
 
 /* Where D = 0 both roots are the vertex t* = -b/a, a > 0. From any t it is at t - s/a, with
  * s = a t + b half the body's slope at t: no root, and no residual that vanishes twice.

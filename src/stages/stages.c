@@ -14,50 +14,25 @@ typedef struct {
     sure_interval interval;
 } staged;
 
-static NOT_INLINED bool polished(const shape_row *row, const query *q, const filter_end *end,
-                                 double *t)
-{
-    if (end->end.at == END_TANGENT)
-        return tangent_polish(row, q->ray, q->shape, end->t, t);
-    return polish(row->step, row->steps, q->ray, q->shape, end, t);
-}
-
 /* A certain end as one of the asked ray, and rounded correctly if wanted; false where that can't be
  * told. */
 static bool end_as_wanted(const shape_row *row, const query *q, t_wanted wanted, filter_end *end)
 {
     double t = end->t;
+    const bool told = is_zero_bits(end->error);
     if (filter_at_start(end))
         return true;
-    if (wanted == T_EXACT && !(environment_is_nearest() && polished(row, q, end, &t)))
+    if (wanted == T_EXACT && !told && !close_polish(row, q->ray, q->shape, end, &t))
         return false;
-    return query_unscale(q, t, &end->t) && query_unscale(q, end->error, &end->error);
+    return query_unscale(q, t, &end->t) && (told || query_unscale(q, end->error, &end->error));
 }
 
-/* The sign of a tangent point's t* - x; false where it can't be told. */
-static bool tangent_side(const shape_row *row, const query *q, const filter_end *at, double x,
-                         int *sign)
+/* t where the range is, in which t* is. By bits: t_min may be subnormal. */
+static double in_range(double t, const sure_ray *asked)
 {
-    bool known = fabs(at->t - x) > at->error;
-    *sign = at->t > x ? 1 : -1;
-    if (!known)
-        TO_NEAREST(known, tangent_order(row, q->ray, q->shape, x, sign));
-    return known;
-}
-
-/* A tangent point on a bound of the range. */
-static bool take_tangent(const shape_row *row, const query *q, const filter_end *at, staged *answer)
-{
-    int after, beyond;
-    if (!filter_range(q->ray) || !tangent_side(row, q, at, q->ray->t_min, &after) ||
-        !tangent_side(row, q, at, q->ray->t_max, &beyond))
-        return false;
-    if (after < 0 || beyond > 0)
-        return true;
-    double t = after == 0 ? q->asked->t_min : q->asked->t_max;
-    answer->status = SURE_HIT;
-    answer->hit = (sure_hit){t, answer->wanted == T_EXACT ? half_ulp(t) : 0, at->end.part, 0};
-    return after == 0 || beyond == 0;
+    if (is_negative_bits(t) || bits_of(t) < bits_of(asked->t_min))
+        return asked->t_min;
+    return bits_of(t) > bits_of(asked->t_max) ? asked->t_max : t;
 }
 
 static bool take_first(const shape_row *row, const query *q, const filter_interval *found,
@@ -66,15 +41,10 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     filter_end first;
     filter_interval ends = *found;
     filter_verdict verdict = filter_first_known(found, q->ray, &first);
-    if (verdict == FILTER_UNCERTAIN && found->enter.end.at == END_TANGENT &&
-        found->leave.end.at == END_TANGENT) {
-        answer->stage = SURE_STAGE_MOD128;
-        return take_tangent(row, q, &found->enter, answer);
-    }
     if (verdict == FILTER_UNCERTAIN) {
         if (answer->stage == SURE_STAGE_DOUBLE)
             answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
-        verdict = query_from_start(row, q, &ends, &first, &answer->stage);
+        verdict = query_first(row, q, &ends, &first, &answer->stage);
     }
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
@@ -83,7 +53,7 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     if (!end_as_wanted(row, q, answer->wanted, &first))
         return false;
     bool rounded = answer->wanted == T_EXACT && first.end.at != END_START;
-    answer->hit.t = filter_greater(first.t, q->asked->t_min);
+    answer->hit.t = in_range(first.t, q->asked);
     answer->hit.t_error = rounded ? half_ulp(first.t) : first.error;
     return true;
 }
@@ -154,11 +124,11 @@ static bool unscaled_hit(const query *q, t_wanted wanted, sure_hit *hit)
 static bool refined_hit(const shape_row *row, const query *q, staged *answer)
 {
     sure_hit found;
-    if (row->refine_hit == NULL || answer->both_ends || !environment_is_nearest())
+    if (answer->both_ends)
         return false;
     answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
     answer->status = SURE_MISS;
-    filter_verdict verdict = row->refine_hit(q->ray, q->shape, answer->wanted, &found);
+    filter_verdict verdict = close_hit(row, q->ray, q->shape, answer->wanted, &found);
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
     answer->status = SURE_HIT;
@@ -223,6 +193,13 @@ NOT_INLINED sure_status stages_occluded(const sure_ray *ray, const void *shape,
     if (verdict != FILTER_UNCERTAIN)
         return verdict == FILTER_MISS ? SURE_MISS : SURE_HIT;
     return stages_rest_of_hit(ray, shape, &unused, row, T_NONE, &stage);
+}
+
+NOT_INLINED sure_status stages_certain_rest(const sure_ray *ray, const void *shape, sure_hit *hit,
+                                            const shape_row *row)
+{
+    sure_stage unused;
+    return stages_rest_of_hit(ray, shape, hit, row, T_CERTAIN, &unused);
 }
 
 NOT_INLINED sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit *hit,

@@ -13,6 +13,9 @@ sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit 
 /* certain's stages from the first one on, where a quick look at the shape was not enough. */
 sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
                                const shape_row *row);
+/* From the second one on, where the first can't tell. */
+sure_status stages_certain_rest(const sure_ray *ray, const void *shape, sure_hit *hit,
+                                const shape_row *row);
 /* Is there a hit? All stages. */
 sure_status stages_occluded(const sure_ray *ray, const void *shape, const shape_row *row);
 sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape, sure_interval *interval,
@@ -70,8 +73,7 @@ static INLINED sure_status stages_hit(const shape_row *row, const sure_ray *ray,
         return SURE_HIT;
     }
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
-    if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
-        polish(row->step, row->steps, ray, shape, &first, &t)) {
+    if (verdict == FILTER_INTERVAL && close_polish(row, ray, shape, &first, &t)) {
         *hit = filter_hit(&found, &first);
         hit->t = t;
         hit->t_error = half_ulp(t);
@@ -98,9 +100,8 @@ static INLINED sure_status stages_interval(const shape_row *row, const sure_ray 
         stages_order_ends(interval);
         return SURE_HIT;
     }
-    if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
-        polish(row->step, row->steps, ray, shape, &found.enter, &enter) &&
-        polish(row->step, row->steps, ray, shape, &found.leave, &leave)) {
+    if (verdict == FILTER_INTERVAL && close_polish(row, ray, shape, &found.enter, &enter) &&
+        close_polish(row, ray, shape, &found.leave, &leave)) {
         *interval = (sure_interval){enter, leave, found.enter.end.part, found.leave.end.part};
         return SURE_HIT;
     }

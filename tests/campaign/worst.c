@@ -2,6 +2,7 @@
 #include "worst.h"
 
 #include "../../src/shapes/capped/capped_stages.h"
+#include "../../src/stages/close.h"
 #include "../../src/stages/rows.h"
 
 #include "json_file.h"
@@ -50,7 +51,7 @@ static int body_bits(exact_context *c, const sure_ray *ray, const sure_object *o
 {
     const shape_row *row = row_of(object);
     line_coefficients l;
-    two_terms_dd terms = row->discriminant_dd(ray, &object->as);
+    two_terms_dd terms = close_of(row)->discriminant(ray, &object->as);
     double larger = fmax(fabs(terms.more.head), fabs(terms.less.head));
     row->exact_interval(c, ray, &object->as, &l);
     if (l.quarter.sign == 0 || !isnormal(larger))

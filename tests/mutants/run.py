@@ -35,7 +35,7 @@ from ending import end  # noqa: E402
 
 IN_TESTS = {'limbs', 'dd', 'ddb', 'mod128', 'uint128', 'bvh', 'film', 'forward', 'share', 'adjoint',
             'coarse', 'expressions', 'discriminant', 'camera_rays', 'mixed', 'packet',
-            'guess', 'wide', 'interaction', 'filter'}  # built anew
+            'guess', 'wide', 'interaction', 'filter', 'close', 'query'}  # built anew
 OF_TESTS = re.compile('libsurehit-(judge|support)')  # as they are: cases and truths
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 600  # of the processor

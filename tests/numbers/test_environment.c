@@ -4,7 +4,7 @@
 #include "../support/suite.h"
 #include "../support/surroundings.h"
 
-#include "../../src/numbers/environment.h"
+#include "../../src/numbers/flushing.h"
 
 static volatile double one = 1, five = 5, least = 0x1p-1022, half = 0x1p-1023, two = 2;
 

@@ -448,12 +448,13 @@ test('the address holds the scene, beside a tier may stand itself', { timeout: 6
     assert.match(await page.evaluate('location.hash'), /^#draw&v=/);
     assert.notEqual(await page.evaluate('location.hash'), address);
 
+    await page.until(drawnNow); // what the tab's choice draws is not taken for the next picture
     await writeScene(page, `${BEGIN}${LIGHT}sp 0,0,0 2 255,0,0\n`);
     await page.until(drawnNow);
     await page.evaluate(`{ const menu = document.getElementById('draw-beside');
         menu.value = 'certain';
         menu.dispatchEvent(new Event('change')); }`);
-    await page.until(`${drawStatus} === '230,400 pixels. 0 differ.'`);
+    await page.until(`${drawnNow} && ${drawStatus} === '230,400 pixels. 0 differ.'`);
     assert.equal(await page.evaluate(pixelsOf('draw-canvas')),
                  await page.evaluate(pixelsOf('draw-canvas-other')));
 

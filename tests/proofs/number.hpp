@@ -5,6 +5,7 @@
 #define PROOFS_NUMBER_HPP
 
 #include "numbers/bits.h"
+#include "numbers/places.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -30,6 +30,8 @@ HELD = {
     "ORDER_SHARE": ("four roundings, counted where it is defined", "hit_order"),
     "ROUNDING": ("a moved object is wider by more than its roundings", "margins"),
     "ROUNDING_LEAST": ("the same of what underflows", "margins"),
+    "SLOPE_FLOOR": ("more than what underflows", "discriminant"),
+    "SLOPE_SHARE": ("roundings counted in tangent.md", "discriminant"),
     "STEPS": ("what a film counts in: no bound", "film"),
     "SURE_SPAWN_STEPS": ("where a search ends", "spawn"),
     "SURE_STABLE_GRAZING": ("from where on refract's bound is promised", "refract"),

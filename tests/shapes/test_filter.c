@@ -4,6 +4,7 @@
 #include "../support/every_case.h"
 #include "../support/surroundings.h"
 #include "../support/test_shape.h"
+#include "../../src/stages/close.h"
 #include "../../src/stages/rows.h"
 #include "filters.h"
 
@@ -73,8 +74,8 @@ static void ask(const sure_case *c, void *context)
     if (of->told == FILTER_INTERVAL)
         of->in_range = filter_first(&of->chord, &c->ray, &of->first);
     if (of->in_range == FILTER_INTERVAL && of->nearest)
-        of->polished =
-            polish(row->step, row->steps, &c->ray, &c->object.as, &of->first, &of->rounded);
+        of->polished = polish(close_of(row)->step, row->steps, &c->ray, &c->object.as, &of->first,
+                              &of->rounded);
 }
 
 /* error |d| / (2^-24 (|o - place| + size)) */

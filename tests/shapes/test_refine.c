@@ -95,7 +95,7 @@ static double judge_end(watch *w, const sure_case *c, int which, const filter_en
     double share = share_of_error(line.t[which], end->t, end->error);
     case_require(c, share <= 1, "beyond the error");
     case_require(c, said == (said == END_TANGENT && tangent ? END_TANGENT : at), "another point");
-    case_require(c, end->end.part == line.part[which], "another part");
+    case_require(c, end->end.part == true_part(&line, line.t[which]), "another part");
     w->points[said]++;
     w->worst = fmax(w->worst, share);
     return share;

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Is a scaled query the same query (src/stages/query.h)? By numbers' bits alone, with subnormals
- * kept and flushed. */
+ * kept and flushed. And ends next to a bound of the range. */
 #include "../support/every_case.h"
+#include "../support/objects.h"
 
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"
+#include "../../src/stages/stages.h"
 
-enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
+enum { DRAWS = 4000, SEED = 25, LIMIT = 400, BOUNDS = 40 };
 
 /* y = x 2^k, exactly? */
 static bool is_shifted(double x, double y, int k)
@@ -150,6 +152,92 @@ LOOP_TEST(test_draws, SURE_SHAPES)
     printf("%-8s as it is %ld, scaled %ld, refused %ld\n", sure_shape_name(shape), w.as_it_is,
            w.scaled, w.refused);
     ck_assert(w.scaled > DRAWS && w.refused > DRAWS / 8);
+}
+
+/* Ranges that begin or end at an end of the chord, or next to it, and rays that start there: by all
+ * stages what the last one says alone. */
+
+typedef struct {
+    sure_status status;
+    sure_stage stage;
+    sure_hit hit, certain;
+    long asked, by_exact;
+} bound_watch;
+
+static void ask_bound(const sure_case *c, void *context)
+{
+    bound_watch *w = context;
+    const void *shape = &c->object.as;
+    w->status = stages_rest_of_hit(&c->ray, shape, &w->hit, row_of(&c->object), T_EXACT, &w->stage);
+    if (sure_object_hit(&c->ray, &c->object, SURE_TIER_CERTAIN, &w->certain) != w->status)
+        w->status = SURE_INVALID;
+}
+
+static bool is_same_end(const sure_hit *one, const sure_hit *two)
+{
+    return one->part == two->part && one->leaves == two->leaves;
+}
+
+static void judge_bound(const sure_case *c, void *context)
+{
+    bound_watch *w = context;
+    sure_hit last = {0};
+    sure_status status =
+        stages_last_hit(row_of(&c->object), &c->ray, &c->object.as, T_EXACT, &last);
+    const double t = w->certain.t;
+    w->asked++;
+    w->by_exact += w->stage == SURE_STAGE_EXACT;
+    case_require(c, w->status == status, "another decision");
+    if (status != SURE_HIT)
+        return;
+    case_require(c, is_same_end(&w->hit, &last) && is_same_end(&w->certain, &last), "another end");
+    case_require(c, bits_of(w->hit.t) == bits_of(last.t) && w->hit.t_error == last.t_error,
+                 "another t");
+    case_require(c, t >= c->ray.t_min && t <= c->ray.t_max, "certain's t is out of the range");
+    case_require(c, t == last.t || fabs(t - last.t) <= w->certain.t_error + last.t_error,
+                 "certain's t is off");
+}
+
+static void ask_around(const sure_case *c, double t, uint64_t i, bound_watch *w)
+{
+    const double beyond = nextafter(t, INFINITY);
+    /* A ray from the end's point, asked at once, from the next double on, or from a little later on
+     * as renderers do: each a test's input. */
+    const double starts[] = {0, 0x1p-1074, 0x1p-40 * t};
+    const double ranges[][2] = {{t, INFINITY}, {0, t}, {t, t}, {t, beyond}};
+    sure_case asked = *c;
+    for (int k = 0; k < 4; k++) {
+        asked.ray.t_min = ranges[k][0];
+        asked.ray.t_max = ranges[k][1];
+        if (case_is_valid(&asked))
+            in_each_environment(&asked, ask_bound, judge_bound, w);
+    }
+    asked.ray = (sure_ray){plus(c->ray.origin, times(t, c->ray.direction)), c->ray.direction,
+                           starts[i % 3], INFINITY};
+    if (case_is_valid(&asked))
+        in_each_environment(&asked, ask_bound, judge_bound, w);
+}
+
+SHAPE_TEST(test_bounds)
+{
+    bound_watch w = {.asked = 0};
+    for (case_walk walk = walk_regimes((sure_shape)_i, SEED, BOUNDS); walk_next(&walk);) {
+        sure_case c = walk.asked;
+        sure_interval chord;
+        c.ray.t_min = 0;
+        c.ray.t_max = INFINITY;
+        if (sure_object_interval(&c.ray, &c.object, SURE_TIER_EXACT, &chord) != SURE_HIT)
+            continue;
+        const double ends[] = {chord.t_enter, chord.t_leave};
+        for (int e = 0; e < 2; e++) {
+            for (int step = -1; step <= 1 && ends[e] > 0 && isfinite(ends[e]); step++)
+                ask_around(&c, step == 0 ? ends[e] : nextafter(ends[e], step * (double)INFINITY),
+                           walk.index, &w);
+        }
+    }
+    printf("%-8s %ld around an end, exact %.1f %%\n", sure_shape_name((sure_shape)_i), w.asked,
+           100. * (double)w.by_exact / (double)w.asked);
+    ck_assert_int_gt(w.asked, 100 * BOUNDS);
 }
 
 /* The way back: exactly, or not at all. */

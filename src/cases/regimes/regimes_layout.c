@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../../numbers/bits.h"
+#include "../../numbers/places.h"
 #include "../../geometry/coordinate.h"
 #include "../shapes/case_shape.h"
 

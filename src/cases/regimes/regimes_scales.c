@@ -3,7 +3,7 @@
  * last bit, far from where it would be seen. */
 #include "../shapes/case_shape.h"
 
-#include "../../numbers/bits.h"
+#include "../../numbers/places.h"
 
 #include <math.h>
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* typical, inside, far, huge, tiny, nonunit, needle, coin, scaled_neighbour: what is large and what
  * is small. */
+#include "../../numbers/places.h"
 #include "../shapes/case_shape.h"
 
 #include <float.h>

@@ -25,11 +25,26 @@
 #define BOX_FAR 0x1p256
 #define BOX_NEVER 0x1p514
 
-/* Neither is NaN. Of one ray alone that is one comparison. */
+/* What comparisons tell, as bits where doubles are computed: is x < y, and is neither NaN? */
 #ifdef LANES
-#define BOX_TOLD(t, u) (((t) <= (u)) | ((t) > (u)))
+typedef bool box_told;
+#define BOX_LESS(x, y) ((x) < (y))
+#define BOX_ORDERED(x, y) (((x) <= (y)) | ((x) > (y)))
+#define BOX_TOLD(told) (told)
+#elif defined(FILTER_PAIR)
+typedef filter_bits box_told;
+typedef double box_pair __attribute__((vector_size(16)));
+#define BOX_COMPARED(how, x, y)                                                                    \
+    ((box_told)__builtin_ia32_cmp##how##sd((box_pair)filter_bits_of(x),                            \
+                                           (box_pair)filter_bits_of(y)))
+#define BOX_LESS(x, y) BOX_COMPARED(lt, x, y)
+#define BOX_ORDERED(x, y) BOX_COMPARED(ord, x, y)
+#define BOX_TOLD(told) ((__builtin_ia32_movmskpd((box_pair)(told)) & 1) != 0)
 #else
-#define BOX_TOLD(t, u) (!isunordered(t, u))
+typedef uint64_t box_told;
+#define BOX_LESS(x, y) filter_all((x) < (y))
+#define BOX_ORDERED(x, y) filter_all(!isunordered(x, y))
+#define BOX_TOLD(told) ((told) != 0)
 #endif
 
 /* t of the planes across an axis, and how far these are. Where d is 0 they are infinite: apart,
@@ -37,14 +52,15 @@
 typedef struct {
     double near, far;
     double to_low, to_high;
-    bool crossed;
+    box_told crossed;
 } box_slab;
 
 static inline box_slab box_slab_of(double o, double d, double low, double high)
 {
     double per_d = 1 / d, to_low = low - o, to_high = high - o;
     double t = to_low * per_d, u = to_high * per_d;
-    return (box_slab){filter_lesser(t, u), filter_greater(t, u), to_low, to_high, BOX_TOLD(t, u)};
+    return (box_slab){filter_lesser(t, u), filter_greater(t, u), to_low, to_high,
+                      BOX_ORDERED(t, u)};
 }
 
 static inline bool box_is_still(double d)
@@ -70,9 +86,15 @@ static INLINED box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
 }
 
 /* Numbers that are less are less as they are stored, too, in any mode. */
-static inline bool box_is_thick(const sure_box *box)
+static inline box_told box_is_thick(const sure_box *box)
 {
-    return (box->low.x < box->high.x) & (box->low.y < box->high.y) & (box->low.z < box->high.z);
+    return BOX_LESS(box->low.x, box->high.x) & BOX_LESS(box->low.y, box->high.y) &
+           BOX_LESS(box->low.z, box->high.z);
+}
+
+static inline box_told box_is_crossed(const box_terms *of)
+{
+    return of->x.crossed & of->y.crossed & of->z.crossed;
 }
 
 /* Is t certainly greater than u? */
@@ -133,15 +155,14 @@ static inline double box_error(double t)
 
 /* Are the numbers in the filter's range, and so valid but for t_min and t_max and the corners'
  * order? */
-static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const box_terms *of)
+static inline bool box_in_range(const sure_ray *ray, const sure_box *box)
 {
     const sure_vec3 *o = &ray->origin, *d = &ray->direction;
     double far = sum_of_magnitudes(o->x, o->y, o->z) +
                  sum_of_magnitudes(box->low.x, box->low.y, box->low.z) +
                  sum_of_magnitudes(box->high.x, box->high.y, box->high.z);
     bool moves = (bits_of(d->x) | bits_of(d->y) | bits_of(d->z)) << 1 != (uint64_t){0};
-    return of->x.crossed & of->y.crossed & of->z.crossed & box_scales(d->x) & box_scales(d->y) &
-           box_scales(d->z) & (far < BOX_FAR) & moves;
+    return box_scales(d->x) & box_scales(d->y) & box_scales(d->z) & (far < BOX_FAR) & moves;
 }
 
 /* Faces are counted as the parts are: 2 axis, and 1 more for the high one. */
@@ -228,7 +249,7 @@ static INLINED filter_verdict box_filter(const sure_ray *ray, const void *shape,
 {
     const sure_box *box = (const sure_box *)shape;
     box_terms of = box_terms_of(ray, box);
-    bool fits = box_in_range(ray, box, &of) & box_is_thick(box);
+    bool fits = box_in_range(ray, box) & BOX_TOLD(box_is_crossed(&of) & box_is_thick(box));
     return fits ? box_found(ray, &of, found) : FILTER_UNCERTAIN;
 }
 
@@ -251,15 +272,15 @@ static inline uint64_t box_scale_bits(double d)
     return (bits - (bits_of(0x1p-255) << 1)) & bits_unknown(-(uint64_t)(bits != 0));
 }
 
-/* box_in_range and box_is_thick by what costs least where all is well: branches that are foreseen,
- * and of coordinates how far the planes are from the ray's start. */
+/* box_in_range and box_is_thick by what costs least where all is well, and of coordinates by how
+ * far the planes are from the ray's start. */
 static INLINED bool box_fits(const sure_ray *ray, const sure_box *box, const box_terms *of)
 {
-    const sure_vec3 *d = &ray->direction, *low = &box->low, *high = &box->high;
+    const sure_vec3 *d = &ray->direction;
     double least = filter_lesser(filter_lesser(of->x.to_low, of->y.to_low), of->z.to_low);
     double most = filter_greater(filter_greater(of->x.to_high, of->y.to_high), of->z.to_high);
-    return of->x.crossed && of->y.crossed && of->z.crossed && least > -BOX_FAR && most < BOX_FAR &&
-           low->x < high->x && low->y < high->y && low->z < high->z &&
+    return BOX_TOLD(box_is_crossed(of) & box_is_thick(box) & BOX_LESS(-BOX_FAR, least) &
+                    BOX_LESS(most, BOX_FAR)) &&
            (box_scale_bits(d->x) | box_scale_bits(d->y) | box_scale_bits(d->z)) >> 62 == 0 &&
            (bits_of(d->x) | bits_of(d->y) | bits_of(d->z)) << 1 != 0;
 }
@@ -280,14 +301,15 @@ static INLINED decided box_decide(const sure_ray *ray, const sure_box *box)
         return (decided){.certain = false};
     double leave = box_soonest(of.x.far, of.y.far, of.z.far, &after);
     const decision_end at = decision_end_of(enter, leave, ray);
-    double other = filter_either(at.leaves, after, before), error = box_error(at.t);
+    double other = filter_choose(filter_negative(at.start), after, before), error = box_error(at.t);
     double nearer = filter_lesser(filter_lesser(fabs(enter), fabs(leave)), BOX_NEVER);
     double gap = leave - enter, margin = BOX_CLEAR * BOX_SHARE * nearer + BOX_APART;
-    bool on_x = (of.x.near >= at.t) | (of.x.far <= at.t);
-    bool on_y = (of.y.near >= at.t) | (of.y.far <= at.t);
-    uint64_t face = filter_either_bits(
-        filter_all(on_x), box_first_face(d->x, 0),
-        filter_either_bits(filter_all(on_y), box_first_face(d->y, 2), box_first_face(d->z, 4)));
+    uint64_t off_x =
+        bits_of(filter_double_of(BOX_LESS(of.x.near, at.t) & BOX_LESS(at.t, of.x.far)));
+    uint64_t off_y =
+        bits_of(filter_double_of(BOX_LESS(of.y.near, at.t) & BOX_LESS(at.t, of.y.far)));
+    uint64_t y_or_z = filter_either_bits(off_y, box_first_face(d->z, 4), box_first_face(d->y, 2));
+    uint64_t face = filter_either_bits(off_x, y_or_z, box_first_face(d->x, 0));
     return decision_of(&at, gap, fabs(gap) > margin, fabs(at.t - other) > BOX_CLEAR * error,
                        box_error(enter), error, SURE_PART_X_MIN + (face ^ (at.leaves & 1)), ray);
 }

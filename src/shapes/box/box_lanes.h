@@ -9,7 +9,7 @@
 static inline lanes_answer box_lanes(const sure_ray *ray, const sure_box *box)
 {
     const box_terms of = box_terms_of(ray, box);
-    const bool certain = box_in_range(ray, box, &of) & box_is_thick(box);
+    const bool certain = box_in_range(ray, box) & BOX_TOLD(box_is_crossed(&of) & box_is_thick(box));
     box_chord at = box_chord_of(&of);
     bool outside = box_misses(&at);
     const box_faces faces = box_faces_of(ray, &of, &at);

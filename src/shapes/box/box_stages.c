@@ -5,13 +5,11 @@
 #include "../../numbers/mod128_value.h"
 #include "../../numbers/valid.h"
 #include "../../stages/hits/normal.h"
-#include "../../stages/last/line.h"
-#include "../../stages/stages.h"
 #include "../bounds.h"
+#include "../planar/planar_stages.h"
 #include "../stable.h"
 #include "box_filter.h"
 #include "box_slabs.h"
-#include "box_spawn.h"
 
 /* n / d is t at a face: of two faces, n d' - n' d. */
 #define BOX_AHEAD(number)                                                                          \
@@ -136,7 +134,7 @@ static bool is_near(const filter_end *end)
 static bool interval_nearly(box_line *l, filter_interval *found, tagged_interval *ends)
 {
     *ends = interval_of(l);
-    if (l->near.uncertain || ends->boundary)
+    if (l->near.uncertain)
         return false;
     if (ends->empty)
         return true;
@@ -151,18 +149,18 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
                              filter_interval *found, sure_stage *stage)
 {
     const sure_box *s = shape;
-    const box_terms of = box_terms_of(ray, s);
     box_line l = {.ray = ray, .box = s, .order = order_nearly};
     tagged_interval ends;
     bool told;
-    (void)both_ends;
     *stage = SURE_STAGE_MOD128;
-    if (!box_in_range(ray, s, &of) || !corners_ok(s->low, s->high))
+    if (!box_in_range(ray, s) || !corners_ok(s->low, s->high))
         return FILTER_UNCERTAIN;
     TO_NEAREST(told, interval_nearly(&l, found, &ends));
     if (!told)
         return FILTER_UNCERTAIN;
-    return ends.empty ? filter_miss_if(true, ray) : FILTER_INTERVAL;
+    if (ends.empty)
+        return filter_miss_if(true, ray);
+    return ends.boundary ? planar_chord(ends.inner_part, ray, both_ends, found) : FILTER_INTERVAL;
 }
 
 /* The planes that the ends are on, over one divisor; where it leaves before it enters, too. */
@@ -202,9 +200,9 @@ const shape_row box_row = {
                         {SURE_FIELD_HIGH, SURE_KIND_HIGH, DOUBLES_BEFORE(sure_box, high)}},
              .parts = {SURE_PART_X_MIN, SURE_PART_X_MAX, SURE_PART_Y_MIN, SURE_PART_Y_MAX,
                        SURE_PART_Z_MIN, SURE_PART_Z_MAX}},
+    .shape = SURE_SHAPE_BOX,
     .filter = box_filter,
     .refine = refine,
-    .step = box_step,
     .steps = 1,
     .exact_interval = exact_interval,
     .round_normal = round_normal,
@@ -214,7 +212,7 @@ const shape_row box_row = {
 sure_status sure_box_hit_certain(const sure_ray *ray, const sure_box *box, sure_hit *hit)
 {
     const decided said = box_decide(ray, box);
-    return said.certain ? decision_tell(&said, hit) : stages_certain_hit(ray, box, hit, &box_row);
+    return said.certain ? decision_tell(&said, hit) : stages_certain_rest(ray, box, hit, &box_row);
 }
 
 STAGES_QUESTIONS(box)
@@ -310,7 +308,6 @@ const surface_row box_surface_row = {
     .has_inside = has_inside,
     .flat_part = flat_part,
     .outward = outward,
-    .spawn_quick = box_spawn_quick,
     .bounds = bounds,
 };
 

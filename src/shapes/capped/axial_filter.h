@@ -31,7 +31,7 @@
 /* The root of x or up to 17/16 of it: halved bits are the chord of a concave function. */
 static inline double filter_root_above(double x)
 {
-    return double_of((bits_of(x) >> 1) + (bits_of(1) >> 1));
+    return filter_double_of((filter_bits_of(x) >> 1) + (FILTER_ONE >> 1));
 }
 
 /* The root of x y / z, from 16/17 of it to 12/11: bits are, but for a scale, logarithms that are at
@@ -39,7 +39,7 @@ static inline double filter_root_above(double x)
  * negative z has no root: of its sign would come subnormal numbers, which are slow. */
 static inline double axial_root(double x, double y, double z)
 {
-    return double_of(((bits_of(x) + bits_of(y) - bits_of(fabs(z))) >> 1) + (bits_of(1) >> 1));
+    return double_of(((bits_of(x) + bits_of(y) - bits_of(fabs(z))) >> 1) + (FILTER_ONE >> 1));
 }
 
 /* All ones for a negative number, else zero. */
@@ -60,7 +60,7 @@ static inline bool axial_scales(double r, double height, double size, double d_d
 
 /* What both begin with. D = inner - outer as doubles have it; it is certain when its square is more
  * than `certain`. */
-typedef struct {
+typedef struct axial_terms {
     vector_f64 axis, m, d;
     double height, d_d, size;
     double slant, a; /* K, of a cone; of a cylinder */
@@ -137,8 +137,8 @@ static inline bool axial_meets(const axial_line *l, const axial_gaps *gaps, doub
 {
     double clear = filter_lesser(fabs(gaps->before), fabs(gaps->after));
     clear = filter_lesser(clear, filter_lesser(gaps->common, gaps->across));
-    uint64_t walls = filter_mask(gaps->before) & filter_mask(gaps->after);
-    double error = filter_either(walls, l->wall_error, l->wall_error + l->plane_error);
+    filter_bits walls = filter_negative(gaps->before) & filter_negative(gaps->after);
+    double error = filter_choose(walls, l->wall_error, l->wall_error + l->plane_error);
     return (clear > axial_margin(l)) & (error * error * d_d < AXIAL_LIMIT * AXIAL_LIMIT * size);
 }
 

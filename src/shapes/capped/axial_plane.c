@@ -55,6 +55,31 @@ bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial
     return true;
 }
 
+/* The sign of a height; false where it can't be told. */
+static bool height_sign(double nearly, double error, mod128 whole, int *sign)
+{
+    *sign = nearly > 0 ? 1 : -1;
+    return fabs(nearly) > error || mod128_sign(2 * error, whole, sign);
+}
+
+filter_verdict capped_touch(const capped_touching *of, const sure_ray *ray, const void *shape,
+                            const double error[2], filter_interval *found)
+{
+    two_terms_f64 nearly = of->nearly(ray, shape);
+    two_terms_mod128 whole = {0};
+    int first, second;
+    if (!(fabs(nearly.more) > error[0] && fabs(nearly.less) > error[1]))
+        whole = of->whole(ray, shape);
+    if (!height_sign(nearly.more, error[0], whole.more, &first) ||
+        !height_sign(nearly.less, error[1], whole.less, &second))
+        return FILTER_UNCERTAIN;
+    if (first < 0 || second < 0)
+        return filter_miss_if(true, ray);
+    sure_part part = first == 0 ? of->parts[0] : second == 0 ? of->parts[1] : SURE_PART_WALL;
+    found->enter.end.part = found->leave.end.part = part;
+    return FILTER_INTERVAL;
+}
+
 axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial_terms *of)
 {
     double e = vector_dot_f64(NULL, of->axis, of->d), f = vector_dot_f64(NULL, of->axis, of->m);

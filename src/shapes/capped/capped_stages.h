@@ -2,56 +2,8 @@
 /* What cylinder and cone share in the stages after the first. */
 #pragma once
 
-#include "../../stages/last/line.h"
-#include "../../stages/stages.h"
-#include "../planar/planar_exact.h"
+#include "../planar/planar_stages.h"
 #include "axial_filter.h"
-
-/* The ends as double-doubles; their heads are the line's. */
-typedef struct {
-    dd less, more, base, top;
-} capped_ends;
-
-/* Keeps quotients by A.d finite, and is of no account for double-doubles either. */
-#define CAPPED_TILT 0x1p-300
-
-/* A.d, or what stands for one that is next to nothing. */
-static inline dd capped_tilted(dd e)
-{
-    return fabs(e.head) < CAPPED_TILT ? (dd){CAPPED_TILT, 0} : e;
-}
-
-static inline double capped_gap(dd x, dd y)
-{
-    return (x.head - y.head) + (x.tail - y.tail);
-}
-
-/* The root of a number that is known to be 0 where it seems so. */
-static inline dd capped_root(dd x)
-{
-    return x.head > 0 ? dd_sqrt(NULL, x) : (dd){0, 0};
-}
-
-/* As the filter decides, on ends that are known to more digits. */
-static inline filter_verdict capped_decide(const capped_ends *at, axial_line *line, double d_d,
-                                           double size, const sure_ray *ray, filter_interval *found)
-{
-    bool rising = capped_gap(at->top, at->base) > 0;
-    dd low = rising ? at->base : at->top, high = rising ? at->top : at->base;
-    axial_gaps gaps = {capped_gap(low, at->less), capped_gap(at->more, high),
-                       filter_lesser(capped_gap(high, at->less), capped_gap(at->more, low)),
-                       capped_gap(high, low)};
-    line->less = at->less.head;
-    line->more = at->more.head;
-    line->base = at->base.head;
-    line->top = at->top.head;
-    filter_verdict verdict = axial_decide(line, gaps, d_d, size, ray, found);
-    if (verdict == FILTER_INTERVAL) {
-        found->enter.error += 0x1p-52 * fabs(found->enter.t);
-        found->leave.error += 0x1p-52 * fabs(found->leave.t);
-    }
-    return verdict;
-}
 
 /* Is a line in one of the planes across an axis at its ends (axial_plane.c)? */
 typedef enum { AXIAL_PLANE_UNKNOWN, AXIAL_PLANE_FROM, AXIAL_PLANE_TO } axial_plane;
@@ -66,24 +18,33 @@ axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to,
 bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial_terms *of,
                   end_kind of_from, end_kind of_to, filter_interval *found);
 
-/* The chord is boundary: a ray that starts between its ends is there already. */
+/* A line in an end plane. */
 static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part part,
                                                const sure_ray *ray, bool both_ends,
                                                filter_interval *found)
 {
-    const filter_end start = {.end = {END_START, part}};
     if (verdict != FILTER_INTERVAL)
         return verdict;
     found->enter.end.part = found->leave.end.part = part;
-    if (both_ends || found->enter.t - ray->t_min > found->enter.error ||
-        ray->t_min - found->leave.t > found->leave.error)
-        return FILTER_INTERVAL;
-    if (!(bits_of(ray->t_min) == 0 && -found->enter.t > found->enter.error &&
-          found->leave.t > found->leave.error))
-        return FILTER_UNCERTAIN;
-    *found = (filter_interval){start, start};
-    return FILTER_INTERVAL;
+    return planar_chord(part, ray, both_ends, found);
 }
+
+/* Where a line that touches the wall (D = 0) does: beside the solid, between its planes or in one
+ * of them, by the two heights of cylinder_touch and cone_touch. */
+typedef struct {
+    two_terms_f64 (*nearly)(const sure_ray *, const void *shape);
+    two_terms_mod128 (*whole)(const sure_ray *, const void *shape);
+    sure_part parts[2]; /* in the planes */
+} capped_touching;
+
+/* A height as doubles have it is off by at most this times size d.d, of a cone above its base times
+ * 2 H of that (docs/proofs/axial_filter.md). */
+#define CAPPED_TOUCH_SHARE 0x1p-47
+
+/* found: the touch, if it is on the solid; its part. error: of each height as doubles have it.
+ * FILTER_MISS: it is beside. */
+filter_verdict capped_touch(const capped_touching *of, const sure_ray *ray, const void *shape,
+                            const double error[2], filter_interval *found);
 
 /* What a row gives to the last stage (stages/shape.h), and the points of the endless wall: where
  * there are two, the first and the last, between which a steep line is outside a double cone. */
@@ -98,7 +59,7 @@ CAPPED_EXACT(cone)
 CAPPED_EXACT(cylinder)
 
 /* sure_<shape>_hit_certain: a branch where the line passes the wall's body, which spares the ends;
- * none behind it. */
+ * none behind it. What is uncertain here mostly is for the filter, too: it is not asked again. */
 #define CAPPED_HIT(shape)                                                                          \
     sure_status sure_##shape##_hit_certain(const sure_ray *ray, const sure_##shape *s,             \
                                            sure_hit *hit)                                          \
@@ -116,7 +77,7 @@ CAPPED_EXACT(cylinder)
             }                                                                                      \
         }                                                                                          \
         return said.certain ? decision_tell(&said, hit)                                            \
-                            : stages_certain_hit(ray, s, hit, &shape##_row);                       \
+                            : stages_certain_rest(ray, s, hit, &shape##_row);                      \
     }
 
 /* A cap's plane is crossed inside, at or outside its rim: 1, 0, -1. m is seen from the cap's

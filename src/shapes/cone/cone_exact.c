@@ -131,13 +131,13 @@ tagged_interval cone_exact_interval(number_context *c, const sure_ray *ray, cons
 
     add_rest(c, &v, l);
     number m_d = vector_dot(c, v.m, v.d);
-    number sunk = number_minor(c, v.depth, l->speed, m_d, vector_square(c, v.d));
-    number above = number_sub(c, l->a, number_mul(c, v.height, sunk));
-    int nappe = leading > 0 ? number_sign(c, sunk) : 1;
+    two_terms_exact at =
+        cone_touch_exact(c, l->a, v.height, v.depth, l->speed, m_d, vector_square(c, v.d));
+    int nappe = leading > 0 ? number_sign(c, at.more) : 1;
     if (nappe < 0)
         return interval_empty();
     if (leading > 0 && (nappe == 0 || crosses == 0))
-        return touch(nappe == 0 ? 1 : number_sign(c, above));
+        return touch(nappe == 0 ? 1 : number_sign(c, at.less));
 
     l->base = number_sub(c, v.height, v.depth);
     l->top = number_negate(c, v.depth);
@@ -150,7 +150,7 @@ tagged_interval cone_exact_interval(number_context *c, const sure_ray *ray, cons
         return along_generator(c, l, within, speed);
     if (leading < 0)
         return down_to_base(speed > 0 ? more : less, within, speed);
-    return above_base(within, within > 0 ? 0 : speed * number_sign(c, above), speed);
+    return above_base(within, within > 0 ? 0 : speed * number_sign(c, at.less), speed);
 }
 
 /* Half the body's gradient; on the wall, where H^2 p.p = K (A.p)^2, its length

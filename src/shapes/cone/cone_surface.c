@@ -3,6 +3,11 @@
 #include "../capped/capped_surface.h"
 #include "cone_spawn.h"
 
+#define NUMBER mod128
+#include "cone_tmpl.h"
+#include "../../numbers/most.h" /* a type, where variables in headers have its name */
+#define NUMBER most
+#include "cone_tmpl.h"
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "cone_tmpl.h"

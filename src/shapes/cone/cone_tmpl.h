@@ -59,6 +59,30 @@ NUMBER_APART OVER(two_terms) OVER(cone_discriminant_of)(const sure_ray *ray, con
                                    number_of(&c, s->radius));
 }
 
+/* Where the line touches the wall, D = 0, A.p is H^2/a times the first of these, and H - A.p is H/a
+ * times the second; depth = A.m, speed = A.d */
+NUMBER_INLINE OVER(two_terms) OVER(cone_touch)(number_context *c, number a, number height,
+                                               number depth, number speed, number m_d, number d_d)
+{
+    number sunk = number_minor(c, depth, speed, m_d, d_d);
+    return (OVER(two_terms)){sunk, number_sub(c, a, number_mul(c, height, sunk))};
+}
+
+/* Of a ray. */
+NUMBER_APART OVER(two_terms) OVER(cone_touch_of)(const sure_ray *ray, const void *shape)
+{
+    const sure_cone *s = (const sure_cone *)shape;
+    number_context c = {0};
+    vector axis = vector_between(&c, s->apex, s->base), d = vector_of(&c, ray->direction);
+    vector m = vector_between(&c, s->apex, ray->origin);
+    number height = vector_square(&c, axis), speed = vector_dot(&c, axis, d);
+    number slant = number_add(&c, height, number_square(&c, number_of(&c, s->radius)));
+    number d_d = vector_square(&c, d);
+    number a = OVER(difference)(&c, OVER(cone_form)(&c, height, slant, d_d, speed, speed));
+    return OVER(cone_touch)(&c, a, height, vector_dot(&c, axis, m), speed, vector_dot(&c, m, d),
+                            d_d);
+}
+
 /* Half the slope of F along d, at o + x d: a x + b. */
 NUMBER_APART number OVER(cone_slope_at)(const sure_ray *ray, const void *shape, double x)
 {

@@ -39,11 +39,10 @@ static tagged_interval within_slab(cap first, cap second)
                                               : second.end);
 }
 
-/* The wall touched in one point, at the height H sunk / a, sunk = (A.m)(d.d) - (A.d)(m.d); on a rim
- * it counts as the cap's. */
-static tagged_interval touch(number_context *c, const line_coefficients *l, number sunk)
+/* The wall touched in one point; on a rim it counts as the cap's. */
+static tagged_interval touch(number_context *c, two_terms_exact at)
 {
-    int above_base = number_sign(c, sunk), below_top = number_sign(c, number_sub(c, l->a, sunk));
+    int above_base = number_sign(c, at.more), below_top = number_sign(c, at.less);
     if (above_base < 0 || below_top < 0)
         return interval_empty();
     return interval_point((tagged_end){END_TANGENT, above_base == 0  ? SURE_PART_BASE
@@ -129,7 +128,8 @@ tagged_interval cylinder_exact_interval(number_context *c, const sure_ray *ray, 
     add_vertex(c, &v, l);
     int leading = number_sign(c, l->a);
     if (crosses == 0 && leading > 0)
-        return touch(c, l, number_minor(c, v.along, l->speed, v.m_d, vector_square(c, v.d)));
+        return touch(
+            c, cylinder_touch_exact(c, l->a, v.along, l->speed, v.m_d, vector_square(c, v.d)));
 
     add_rest(c, &v, l);
     l->base = number_negate(c, v.along);

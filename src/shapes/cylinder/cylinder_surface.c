@@ -3,6 +3,11 @@
 #include "../capped/capped_surface.h"
 #include "cylinder_spawn.h"
 
+#define NUMBER mod128
+#include "cylinder_tmpl.h"
+#include "../../numbers/most.h" /* a type, where variables in headers have its name */
+#define NUMBER most
+#include "cylinder_tmpl.h"
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "cylinder_tmpl.h"

@@ -53,6 +53,27 @@ NUMBER_APART OVER(two_terms) OVER(cylinder_discriminant_of)(const sure_ray *ray,
                                        number_of(&c, s->radius));
 }
 
+/* Where the line touches the wall, D = 0, A.p is H/a times the first of these, and H - A.p that
+ * times the second; along = A.m, speed = A.d */
+NUMBER_INLINE OVER(two_terms) OVER(cylinder_touch)(number_context *c, number a, number along,
+                                                   number speed, number m_d, number d_d)
+{
+    number sunk = number_minor(c, along, speed, m_d, d_d);
+    return (OVER(two_terms)){sunk, number_sub(c, a, sunk)};
+}
+
+/* Of a ray. */
+NUMBER_APART OVER(two_terms) OVER(cylinder_touch_of)(const sure_ray *ray, const void *shape)
+{
+    const sure_cylinder *s = (const sure_cylinder *)shape;
+    number_context c = {0};
+    vector axis = vector_between(&c, s->base, s->top), d = vector_of(&c, ray->direction);
+    vector m = vector_between(&c, s->base, ray->origin);
+    return OVER(cylinder_touch)(&c, vector_square(&c, vector_cross(&c, axis, d)),
+                                vector_dot(&c, axis, m), vector_dot(&c, axis, d),
+                                vector_dot(&c, m, d), vector_square(&c, d));
+}
+
 /* Half the slope of F along d, at o + x d: a x + b. */
 NUMBER_APART number OVER(cylinder_slope_at)(const sure_ray *ray, const void *shape, double x)
 {

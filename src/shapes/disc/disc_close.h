@@ -57,31 +57,53 @@ static inline disc_sign disc_rim_sign(const sure_ray *ray, const flat_line *l, c
                        SURE_DISC_RIM_BOUND * at->size + 2.125 * (of_step + of_terms)};
 }
 
-/* Within the plane: where the line is nearest to the centre. */
+/* Within the plane: where the line is nearest to the centre, or nearly there. */
 typedef struct {
     disc_place at;
     double a, slope, slope_error; /* d.d, p.d */
+    disc_sign quarter;            /* of the discriminant: b^2 - a q */
 } disc_foot;
 
-/* Nearly there, then as near as doubles are. */
-static inline disc_foot disc_foot_of(const sure_ray *ray, const sure_disc *disc, const flat_line *l)
+/* Where that is by double alone. */
+static inline double disc_foot_guess(const sure_ray *ray, const sure_disc *disc, double a)
 {
     const sure_vec3 *o = &ray->origin, *d = &ray->direction, *c = &disc->centre;
+    return -((o->x - c->x) * d->x + (o->y - c->y) * d->y + (o->z - c->z) * d->z) / a;
+}
+
+static inline disc_sign disc_edge_sign(const disc_foot *foot)
+{
+    double b = fabs(foot->slope), of_b = (2 * b + foot->slope_error) * foot->slope_error;
+    double square = b * b, product = foot->a * foot->at.q;
+    double of_q = SURE_DISC_RIM_BOUND * foot->a * foot->at.size;
+    return (disc_sign){square - product,
+                       1.0625 * (of_q + of_b) + SURE_DISC_TERMS_BOUND * (square + fabs(product))};
+}
+
+static inline void disc_foot_at(double t, const sure_ray *ray, const sure_disc *disc,
+                                const flat_line *l, disc_foot *foot)
+{
+    polish_point p = polish_point_of(ray, &disc->centre, t);
+    vector_dd x = polish_vector(&p);
+    dd slope = flat_dot(&ray->direction, &x);
+    foot->at = disc_place_of(t, &p, disc->radius);
+    foot->slope = slope.head + slope.tail;
+    foot->slope_error = SURE_CROSSING_RESIDUAL_BOUND * l->stride * p.most;
+    foot->quarter = disc_edge_sign(foot);
+}
+
+/* What is uncertain from nearly there may be certain from as near as doubles are. */
+static inline disc_foot disc_foot_of(const sure_ray *ray, const sure_disc *disc, const flat_line *l)
+{
+    const sure_vec3 *d = &ray->direction;
     disc_foot foot = {.a = d->x * d->x + d->y * d->y + d->z * d->z};
-    double b = (o->x - c->x) * d->x + (o->y - c->y) * d->y + (o->z - c->z) * d->z;
-    double per_a = 1 / foot.a, nearer = -b * per_a, t;
-    polish_point p;
+    double nearer = disc_foot_guess(ray, disc, foot.a), t;
     int steps = 0;
     do {
         t = nearer;
-        p = polish_point_of(ray, c, t);
-        vector_dd x = polish_vector(&p);
-        dd slope = flat_dot(d, &x);
-        foot.slope = slope.head + slope.tail;
-        nearer = t - foot.slope * per_a;
-    } while (nearer != t && ++steps < 2);
-    foot.slope_error = SURE_CROSSING_RESIDUAL_BOUND * l->stride * p.most;
-    foot.at = disc_place_of(t, &p, disc->radius);
+        disc_foot_at(t, ray, disc, l, &foot);
+        nearer = t - foot.slope / foot.a;
+    } while (disc_sign_of(&foot.quarter) == 0 && nearer != t && ++steps < 2);
     return foot;
 }
 
@@ -94,7 +116,7 @@ static INLINED bool disc_holds_on_rim(const sure_disc *disc, const polish_point 
     const double heads[] = {x.head, y.head, z.head, -rr.head};
     const double tails[] = {x.tail, y.tail, z.tail, -rr.tail};
     const sure_vec3 radii = {disc->radius, disc->radius, disc->radius};
-    return vector_is_coarse(&radii) && sum_vanishes(heads, tails);
+    return vector_is_coarse(&radii) && sum_vanishes(4, heads, tails);
 }
 
 /* Does the line touch the circle exactly at the foot: p.d = 0, q = 0? True is certain. */
@@ -105,22 +127,11 @@ static inline bool disc_touches(const sure_ray *ray, const sure_disc *disc, cons
            disc_holds_on_rim(disc, &foot->at.p);
 }
 
-/* b^2 - a q, a quarter of the discriminant. */
-static inline disc_sign disc_edge_sign(const disc_foot *foot)
+static inline void disc_edge_found(const disc_foot *foot, filter_interval *found)
 {
-    double b = fabs(foot->slope), of_b = (2 * b + foot->slope_error) * foot->slope_error;
-    double square = b * b, product = foot->a * foot->at.q;
-    double of_q = SURE_DISC_RIM_BOUND * foot->a * foot->at.size;
-    return (disc_sign){square - product,
-                       1.0625 * (of_q + of_b) + SURE_DISC_TERMS_BOUND * (square + fabs(product))};
-}
-
-static inline void disc_edge_found(const disc_foot *foot, const disc_sign *quarter,
-                                   filter_interval *found)
-{
-    double root = sqrt(quarter->value), per_a = 1 / foot->a, t = foot->at.t;
+    double root = sqrt(foot->quarter.value), per_a = 1 / foot->a, t = foot->at.t;
     double terms = SURE_DISC_TERMS_BOUND * (fabs(foot->slope) + root);
-    double error = 1.0625 * (quarter->error / root + foot->slope_error + terms) * per_a +
+    double error = 1.0625 * (foot->quarter.error / root + foot->slope_error + terms) * per_a +
                    SURE_FLAT_T_BOUND * fabs(t);
     tagged_end less = {END_LESS, SURE_PART_SURFACE}, more = {END_MORE, SURE_PART_SURFACE};
     double enter = t + (-foot->slope - root) * per_a, leave = t + (root - foot->slope) * per_a;
@@ -133,10 +144,9 @@ static inline filter_verdict disc_edge_chord(const sure_ray *ray, const sure_dis
                                              const flat_line *l, filter_interval *found)
 {
     disc_foot foot = disc_foot_of(ray, disc, l);
-    disc_sign quarter = disc_edge_sign(&foot);
     tagged_end touch = {END_TANGENT, SURE_PART_SURFACE};
-    switch (disc_sign_of(&quarter)) {
-    case 1: disc_edge_found(&foot, &quarter, found); return FILTER_INTERVAL;
+    switch (disc_sign_of(&foot.quarter)) {
+    case 1: disc_edge_found(&foot, found); return FILTER_INTERVAL;
     case -1: return FILTER_MISS;
     default: break;
     }
@@ -203,3 +213,21 @@ static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const su
         return flat_exactly(ray, l->t, wanted, hit);
     return FILTER_UNCERTAIN;
 }
+
+static inline filter_verdict disc_refine_hit(const sure_ray *ray, const void *shape,
+                                             t_wanted wanted, sure_hit *hit)
+{
+    const sure_disc *disc = shape;
+    flat_line l = flat_line_of(ray, &disc->centre, &disc->normal);
+    if (is_negative_bits(disc->radius) || !disc_in_range(&l, disc->radius))
+        return FILTER_UNCERTAIN;
+    switch (l.place) {
+    case FLAT_UNCERTAIN: break;
+    case FLAT_BESIDE: return filter_miss_if(true, ray);
+    case FLAT_WITHIN: return disc_edge_closely(ray, disc, &l, wanted, hit);
+    case FLAT_CROSSES: return disc_crossing_closely(ray, disc, &l, wanted, hit);
+    }
+    return FILTER_UNCERTAIN;
+}
+
+#define DISC_CLOSE .refine_hit = disc_refine_hit, .step = disc_step, .spawn = planar_spawn_quick

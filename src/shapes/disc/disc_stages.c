@@ -3,26 +3,10 @@
 #include "../planar/planar_stages.h"
 #include "../stable.h"
 #include "disc.h"
-#include "disc_close.h"
+#include "disc_filter.h"
 
 #define NUMBER exact
 #include "../sphere/sphere_tmpl.h"
-
-FLAT_APART static filter_verdict refine_hit(const sure_ray *ray, const void *shape, t_wanted wanted,
-                                            sure_hit *hit)
-{
-    const sure_disc *disc = shape;
-    flat_line l = flat_line_of(ray, &disc->centre, &disc->normal);
-    if (is_negative_bits(disc->radius) || !disc_in_range(&l, disc->radius))
-        return FILTER_UNCERTAIN;
-    switch (l.place) {
-    case FLAT_UNCERTAIN: break;
-    case FLAT_BESIDE: return filter_miss_if(true, ray);
-    case FLAT_WITHIN: return disc_edge_closely(ray, disc, &l, wanted, hit);
-    case FLAT_CROSSES: return disc_crossing_closely(ray, disc, &l, wanted, hit);
-    }
-    return FILTER_UNCERTAIN;
-}
 
 /* A line in the disc's plane is cut by the circle as by a sphere. */
 static tagged_interval edge_on(exact_context *c, const planar_line *at, exact r,
@@ -65,9 +49,8 @@ const shape_row disc_row = {
                         {SURE_FIELD_NORMAL, SURE_KIND_NORMAL, DOUBLES_BEFORE(sure_disc, normal)},
                         {SURE_FIELD_RADIUS, SURE_KIND_RADIUS, DOUBLES_BEFORE(sure_disc, radius)}},
              .parts = {SURE_PART_SURFACE}},
+    .shape = SURE_SHAPE_DISC,
     .filter = disc_filter,
-    .refine_hit = refine_hit,
-    .step = disc_step,
     .steps = 1,
     .exact_interval = exact_interval,
     .round_normal = planar_round_normal,
@@ -79,7 +62,8 @@ sure_status sure_disc_hit_certain(const sure_ray *ray, const sure_disc *disc, su
     const flat_decision said = disc_decide(ray, disc);
     filter_verdict verdict = flat_hit(&said, hit);
     if (verdict == FILTER_UNCERTAIN)
-        return stages_certain_hit(ray, disc, hit, &disc_row);
+        return said.level ? stages_certain_rest(ray, disc, hit, &disc_row)
+                          : stages_certain_hit(ray, disc, hit, &disc_row);
     return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
 }
 

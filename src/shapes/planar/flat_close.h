@@ -5,52 +5,32 @@
 #pragma once
 
 #include "../../stages/stages.h"
+#include "../../stages/whole_point.h"
 #include "../plane/plane_filter.h"
 
-/* Kept apart from the filter, but not from speed as what is rare. */
-#ifdef __GNUC__
-#define FLAT_APART __attribute__((noinline, hot))
-#else
-#define FLAT_APART
-#endif
-
-/* x[0] + ... + x[3], what the additions leave out put by. */
-static INLINED double sum_of_four(const double x[4], double left_out[3])
+/* Of three or four: what the additions leave out is put by. */
+static INLINED double sum_of_some(int count, const double *x, double left_out[3])
 {
-    dd low = two_sum(x[0], x[1]), high = two_sum(x[2], x[3]);
+    dd low = two_sum(x[0], x[1]), high = count > 3 ? two_sum(x[2], x[3]) : (dd){x[2], 0};
     dd all = two_sum(low.head, high.head);
     left_out[0] = low.tail;
-    left_out[1] = high.tail;
-    left_out[2] = all.tail;
+    left_out[1] = all.tail;
+    left_out[2] = high.tail;
     return all.head;
 }
 
-/* Is the sum of four products, head + tail, 0? True is certain: nothing is left out in the end.
- * Entry: products none of which has underflowed. */
-static INLINED bool sum_vanishes(const double heads[4], const double tails[4])
+/* Is the sum of three or four products, head + tail, 0? True is certain: nothing is left out in the
+ * end. Entry: none has underflowed. */
+static INLINED bool sum_vanishes(int count, const double *heads, const double *tails)
 {
-    double rest[4], left_out[6];
-    rest[3] = sum_of_four(heads, rest);
-    double of_tails = sum_of_four(tails, left_out), of_rest = sum_of_four(rest, left_out + 3);
+    double rest[4], left_out[6], head = sum_of_some(count, heads, rest);
+    rest[count - 1] = head;
+    double of_tails = sum_of_some(count, tails, left_out);
+    double of_rest = sum_of_some(count, rest, left_out + 3);
     return of_tails == -of_rest &&
            sum_of_magnitudes(left_out[0], left_out[1], left_out[2]) +
                    sum_of_magnitudes(left_out[3], left_out[4], left_out[5]) ==
                0;
-}
-
-/* The least magnitude of v's components that are not 0, less one step. */
-static inline uint64_t vector_fineness(const sure_vec3 *v)
-{
-    uint64_t x = magnitude_bits(v->x) - 1, y = magnitude_bits(v->y) - 1;
-    uint64_t z = magnitude_bits(v->z) - 1, xy = x < y ? x : y;
-    return xy < z ? xy : z;
-}
-
-/* Are all components 0 or so large that what is made of them by a difference and a product, and
- * squared, is a multiple of 2^-1022? Of exact sums no part is then subnormal. */
-static inline bool vector_is_coarse(const sure_vec3 *v)
-{
-    return vector_fineness(v) >= bits_of(0x1p-200) - 1;
 }
 
 /* Is v.w exactly 0? False where that is not certain. Entry: coarse, or w made of what is. */
@@ -59,26 +39,8 @@ static INLINED bool dot_vanishes(const sure_vec3 *v, const vector_dd *w)
     dd x = two_product(v->x, w->x.head);
     dd y = two_product(v->y, w->y.head);
     dd z = two_product(v->z, w->z.head);
-    const double heads[] = {x.head, y.head, z.head, 0}, tails[] = {x.tail, y.tail, z.tail, 0};
-    return sum_of_magnitudes(w->x.tail, w->y.tail, w->z.tail) == 0 && sum_vanishes(heads, tails);
-}
-
-/* 0 where the head of a polish_component is o + t d - from exactly. */
-static INLINED double component_left_out(double o, double from, double t, double d)
-{
-    dd start = two_sum(o, -from), way = two_product(t, d);
-    return sum_of_magnitudes(start.tail, way.tail, two_sum(start.head, way.head).tail);
-}
-
-/* Are the heads of the point at t exactly o + t d - from, and all of it coarse? */
-static INLINED bool point_is_whole(const sure_ray *ray, const sure_vec3 *from, double t)
-{
-    const sure_vec3 *o = &ray->origin, *d = &ray->direction, times = {t, t, t};
-    double left_out = component_left_out(o->x, from->x, t, d->x) +
-                      component_left_out(o->y, from->y, t, d->y) +
-                      component_left_out(o->z, from->z, t, d->z);
-    return left_out == 0 && vector_is_coarse(&times) && vector_is_coarse(o) &&
-           vector_is_coarse(d) && vector_is_coarse(from);
+    const double heads[] = {x.head, y.head, z.head}, tails[] = {x.tail, y.tail, z.tail};
+    return sum_of_magnitudes(w->x.tail, w->y.tail, w->z.tail) == 0 && sum_vanishes(3, heads, tails);
 }
 
 /* How a line lies to a plane: it crosses it at t, is beside it or within it. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What plane and disc share in the stages after the first. */
+/* What planar parts share in the stages after the first. */
 #pragma once
 
 #include "../../stages/last/line.h"
@@ -24,7 +24,22 @@ static inline planar_line planar_line_of(exact_context *c, const sure_ray *ray, 
     return at;
 }
 
-/* Both structs begin with a point and the normal. */
+/* A chord that is boundary, of that part between its ends: who starts there is there already. */
+static inline filter_verdict planar_chord(sure_part part, const sure_ray *ray, bool both_ends,
+                                          filter_interval *found)
+{
+    const filter_end start = {.end = {END_START, part}};
+    if (both_ends || found->enter.t - ray->t_min > found->enter.error ||
+        ray->t_min - found->leave.t > found->leave.error)
+        return FILTER_INTERVAL;
+    if (!(bits_of(ray->t_min) == 0 && -found->enter.t > found->enter.error &&
+          found->leave.t > found->leave.error))
+        return FILTER_UNCERTAIN;
+    *found = (filter_interval){start, start};
+    return FILTER_INTERVAL;
+}
+
+/* The structs of plane and disc begin with a point and the normal. */
 static inline sure_vec3 planar_round_normal(exact_context *c, const sure_ray *ray,
                                             const void *shape, const line_coefficients *l,
                                             tagged_end at)

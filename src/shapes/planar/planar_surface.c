@@ -3,7 +3,6 @@
  * with a point Q and the normal N. */
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"
-#include "planar_spawn.h"
 
 #include <surehit/disc.h>
 #include <surehit/plane.h>
@@ -51,8 +50,7 @@ static void disc_bounds(const void *shape, double low[3], double high[3])
 }
 
 #define PLANAR_SURFACE                                                                             \
-    .plane = part_of_plane, .side_ddb = side_ddb, .side_exact = side_exact, .outward = outward,    \
-    .spawn_quick = planar_spawn_quick
+    .plane = part_of_plane, .side_ddb = side_ddb, .side_exact = side_exact, .outward = outward
 
 const surface_row plane_surface_row = {PLANAR_SURFACE};
 const surface_row disc_surface_row = {PLANAR_SURFACE, .bounds = disc_bounds};

@@ -8,6 +8,7 @@
 
 #include "../../stages/filter.h"
 #ifndef LANES
+#include "../../numbers/places.h"
 #include "../../stages/decision.h"
 #endif
 
@@ -87,7 +88,7 @@ static inline bool flat_steep(const flat_terms *of)
  * random. in_range: flat_in_range and what else the object needs; within, beside: is the crossing
  * then certainly on the surface, or off it? */
 typedef struct {
-    bool certain, meets;
+    bool certain, meets, level; /* level: the filter is uncertain, too */
     filter_end at;
 } flat_decision;
 
@@ -109,7 +110,8 @@ static inline flat_decision flat_decide(const flat_terms *of, bool in_range, boo
     double deep = filter_lesser(at.t - ray->t_min, ray->t_max - at.t); /* how far in the range */
     bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
     bool certain = flat_steep(of) & in_range & flat_range(ray) & (meets | misses);
-    return (flat_decision){certain, meets, at};
+    bool level = (beside ^ true) & (fabs(of->e) <= SURE_CROSSING_SIGN_BOUND * of->steepest);
+    return (flat_decision){certain, meets, level, at};
 }
 
 static inline flat_decision plane_decide(const sure_ray *ray, const sure_plane *plane)

@@ -1,42 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The plane for certain and exact: what it gives to the stages. */
-#include "../planar/flat_close.h"
 #include "../planar/planar_stages.h"
 #include "../stable.h"
 #include "plane.h"
-
-static inline filter_verdict crossing_closely(const sure_ray *ray, const sure_plane *plane,
-                                              const flat_line *l, t_wanted wanted, sure_hit *hit)
-{
-    filter_interval found;
-    filter_end first;
-    (void)flat_found(l->t, l->error, &found);
-    filter_verdict verdict = filter_first(&found, ray, &first);
-    if (verdict == FILTER_MISS)
-        return verdict;
-    polish_point p = polish_point_of(ray, &plane->point, l->t);
-    if (verdict == FILTER_UNCERTAIN)
-        return flat_crosses_at(ray, &plane->point, &plane->normal, l->t, &p)
-                   ? flat_exactly(ray, l->t, wanted, hit)
-                   : FILTER_UNCERTAIN;
-    polish_step way = flat_step(l, &p, &plane->normal);
-    return flat_answer(l, 0, &way, wanted, hit);
-}
-
-/* A better N.d and N.m settle nearly all that the filter leaves (docs/proofs/flat_close.md). */
-FLAT_APART static filter_verdict refine_hit(const sure_ray *ray, const void *shape, t_wanted wanted,
-                                            sure_hit *hit)
-{
-    const sure_plane *plane = shape;
-    flat_line l = flat_line_of(ray, &plane->point, &plane->normal);
-    switch (l.place) {
-    case FLAT_UNCERTAIN: break;
-    case FLAT_BESIDE: return filter_miss_if(true, ray);
-    case FLAT_WITHIN: return flat_start(ray, hit);
-    case FLAT_CROSSES: return crossing_closely(ray, plane, &l, wanted, hit);
-    }
-    return FILTER_UNCERTAIN;
-}
+#include "plane_filter.h"
 
 /* e = 0: the whole line when h = 0, nothing otherwise. */
 static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, const void *shape,
@@ -59,9 +26,8 @@ const shape_row plane_row = {
              .fields = {{SURE_FIELD_POINT, SURE_KIND_POINT, DOUBLES_BEFORE(sure_plane, point)},
                         {SURE_FIELD_NORMAL, SURE_KIND_NORMAL, DOUBLES_BEFORE(sure_plane, normal)}},
              .parts = {SURE_PART_SURFACE}},
+    .shape = SURE_SHAPE_PLANE,
     .filter = plane_filter,
-    .refine_hit = refine_hit,
-    .step = plane_step,
     .steps = 1,
     .exact_interval = exact_interval,
     .round_normal = planar_round_normal,
@@ -73,7 +39,8 @@ sure_status sure_plane_hit_certain(const sure_ray *ray, const sure_plane *plane,
     const flat_decision said = plane_decide(ray, plane);
     filter_verdict verdict = flat_hit(&said, hit);
     if (verdict == FILTER_UNCERTAIN)
-        return stages_certain_hit(ray, plane, hit, &plane_row);
+        return said.level ? stages_certain_rest(ray, plane, hit, &plane_row)
+                          : stages_certain_hit(ray, plane, hit, &plane_row);
     return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
 }
 

@@ -4,8 +4,6 @@
 #include "../../stages/stages.h"
 #include "sphere_filter.h"
 
-#define NUMBER dd
-#include "sphere_tmpl.h"
 #define NUMBER mod128
 #include "sphere_tmpl.h"
 #define NUMBER exact
@@ -84,11 +82,11 @@ const shape_row sphere_row = {
              .fields = {{SURE_FIELD_CENTRE, SURE_KIND_POINT, DOUBLES_BEFORE(sure_sphere, centre)},
                         {SURE_FIELD_RADIUS, SURE_KIND_RADIUS, DOUBLES_BEFORE(sure_sphere, radius)}},
              .parts = {SURE_PART_SURFACE}},
+    .shape = SURE_SHAPE_SPHERE,
     .filter = sphere_filter,
     .refine = refine,
-    .step = sphere_step,
     .steps = 2,
-    SHAPE_BODY(sphere),
+    .discriminant_mod128 = sphere_discriminant_of_mod128,
     .exact_interval = exact_interval,
     .round_normal = round_normal,
     .surface = &sphere_surface_row,

@@ -2,8 +2,14 @@
 /* The surface of the sphere for certain and exact: what is asked of a hit. */
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"
-#include "sphere_spawn.h"
 
+#define NUMBER f64
+#include "sphere_tmpl.h"
+#define NUMBER mod128
+#include "sphere_tmpl.h"
+#include "../../numbers/most.h" /* a type, where variables in headers have its name */
+#define NUMBER most
+#include "sphere_tmpl.h"
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "sphere_tmpl.h"
@@ -44,12 +50,12 @@ static void bounds(const void *shape, double low[3], double high[3])
 const surface_row sphere_surface_row = {
     .anchor = DOUBLES_BEFORE(sure_sphere, centre),
     .slope = slope,
+    SURFACE_SLOPES(sphere),
     .unit_normal = unit_normal,
     .side_ddb = sphere_side_ddb,
     .side_exact = sphere_side_exact,
     .has_inside = has_inside,
     .outward = outward,
-    .spawn_quick = sphere_spawn_quick,
     .bounds = bounds,
 };
 

@@ -12,6 +12,7 @@
 
 #include "../../numbers/environment.h"
 #include "../../numbers/valid.h"
+#include "../close.h"
 #include "../query.h"
 #include "../rows.h"
 #include "beyond.h"
@@ -141,21 +142,12 @@ static NOT_INLINED bool spawn(const sure_ray *ray, const shape_row *row, const v
     return true;
 }
 
-static inline spawning *quick_of(sure_shape shape)
-{
-#ifdef SURE_FUSED
-    if (__builtin_cpu_supports("fma"))
-        return spawn_quick_fused[shape];
-#endif
-    return shape_rows[shape]->surface->spawn_quick;
-}
-
 /* By doubles with proven bounds; once more where the hit's t is then known better. */
 static bool spawn_quick(const sure_ray *ray, const sure_object *object, const sure_hit *hit,
                         int side, sure_vec3 *origin)
 {
     sure_hit nearer = {.t_error = -1}, unused;
-    spawning *quick = quick_of(object->shape);
+    spawning *quick = close_of(row_of(object))->spawn;
     return quick(ray, &object->as, hit, side, origin, &nearer) ||
            (nearer.t_error >= 0 && quick(ray, &object->as, &nearer, side, origin, &unused));
 }

@@ -17,15 +17,15 @@ typedef struct {
     two_terms_ddb bend;
 } part_slope;
 
-/* spawn_quick.h */
-typedef bool spawning(const sure_ray *, const void *shape, const sure_hit *, double side,
-                      sure_vec3 *origin, sure_hit *nearer);
-
 typedef struct surface_row {
     /* False: a curved part; NULL: there are no others. */
     bool (*plane)(const void *shape, sure_part, part_plane *);
     int anchor; /* so many doubles of the struct stand before it */
     part_slope (*slope)(ddb_context *, const void *shape, vector_ddb p, vector_ddb d);
+    /* half_slope at o + x d: as doubles have it, what its terms come to, and whole. */
+    double (*slope_f64)(const sure_ray *, const void *shape, double x);
+    double (*slope_most)(const sure_ray *, const void *shape, double x);
+    mod128 (*slope_mod128)(const sure_ray *, const void *shape, double x);
     vector_ddb (*unit_normal)(ddb_context *, const void *shape, vector_ddb p);
 
     /* On which side a point is: -1 in a solid's interior, 0 on its boundary, 1 outside the closed
@@ -39,13 +39,17 @@ typedef struct surface_row {
      * them. NULL: never. */
     bool (*flat_part)(const void *shape, const sure_vec3 *d, sure_part *part);
 
-    /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
+    /* What spawn.c tries first. */
     sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
-    spawning *spawn_quick;
 
     /* Makes a box larger, so that it holds the object; NULL where no box does. */
     void (*bounds)(const void *shape, double low[3], double high[3]);
 } surface_row;
+
+/* These as <shape>_tmpl.h has them. */
+#define SURFACE_SLOPES(shape)                                                                      \
+    .slope_f64 = shape##_slope_at_f64, .slope_most = shape##_slope_at_most,                        \
+    .slope_mod128 = shape##_slope_at_mod128
 
 static inline sure_vec3 surface_anchor(const shape_row *row, const void *shape)
 {
@@ -77,8 +81,3 @@ static inline bool hit_in_range(const sure_ray *ray, const sure_hit *hit)
     double room = 2 * hit->t_error + 0x1p-1000; /* subnormals may be flushed */
     return !(hit->t + room < ray->t_min || hit->t - room > ray->t_max);
 }
-
-#ifdef SURE_FUSED
-/* The rows' spawn_quick for processors that multiply and add in one. */
-extern spawning *const spawn_quick_fused[SURE_SHAPES];
-#endif
