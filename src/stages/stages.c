@@ -41,11 +41,8 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     filter_end first;
     filter_interval ends = *found;
     filter_verdict verdict = filter_first_known(found, q->ray, &first);
-    if (verdict == FILTER_UNCERTAIN) {
-        if (answer->stage == SURE_STAGE_DOUBLE)
-            answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
+    if (verdict == FILTER_UNCERTAIN && answer->stage != SURE_STAGE_DOUBLE)
         verdict = query_first(row, q, &ends, &first, &answer->stage);
-    }
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
     answer->status = SURE_HIT;
@@ -99,9 +96,11 @@ static bool filtered(const shape_row *row, const query *q, staged *answer)
     filter_interval found;
     answer->stage = SURE_STAGE_DOUBLE;
     filter_verdict verdict = row->filter(q->ray, q->shape, &found);
-    if (verdict == FILTER_INTERVAL && answer->wanted == T_EXACT)
+    if (!take(row, q, verdict, &found, answer))
+        return false;
+    if (answer->status == SURE_HIT && answer->wanted == T_EXACT)
         answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
-    return take(row, q, verdict, &found, answer);
+    return true;
 }
 
 /* A hit of the query as one of the asked ray; false where it might be rounded. */

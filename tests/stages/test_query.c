@@ -8,7 +8,7 @@
 #include "../../src/stages/rows.h"
 #include "../../src/stages/stages.h"
 
-enum { DRAWS = 4000, SEED = 25, LIMIT = 400, BOUNDS = 40 };
+enum { DRAWS = 4000, SEED = 25, LIMIT = 400, BOUNDS = 40, LARGER = 350, ENLARGED = 200 };
 
 /* y = x 2^k, exactly? */
 static bool is_shifted(double x, double y, int k)
@@ -238,6 +238,53 @@ SHAPE_TEST(test_bounds)
     printf("%-8s %ld around an end, exact %.1f %%\n", sure_shape_name((sure_shape)_i), w.asked,
            100. * (double)w.by_exact / (double)w.asked);
     ck_assert_int_gt(w.asked, 100 * BOUNDS);
+}
+
+/* Lengths and t of the first one times 2^LARGER, exactly; false where they are none then. */
+static bool enlarge(const sure_case *c, sure_case *larger)
+{
+    *larger = *c;
+    for (int i = 0; i < case_numbers(c->object.shape); i++) {
+        double *number = case_number(larger, i), by = 0;
+        number_kind of = case_number_kind(c->object.shape, i);
+        if ((of == IS_LENGTH || of == IS_TIME) && isfinite(*number)) {
+            by = ldexp(*number, LARGER);
+            if (isinf(by) || ldexp(by, -LARGER) != *number)
+                return false;
+            *number = by;
+        }
+    }
+    return true;
+}
+
+static bool is_last(const sure_case *c)
+{
+    return sure_object_stage(&c->ray, &c->object, SURE_TIER_CERTAIN) == SURE_STAGE_EXACT;
+}
+
+/* Larger than the first stage takes: the same answer, and t as good, but where either is left to
+ * the last stage, since its numbers lie too far apart. */
+SHAPE_TEST(test_enlarged)
+{
+    long asked = 0;
+    for (case_walk walk = walk_regimes((sure_shape)_i, SEED, ENLARGED); walk_next(&walk);) {
+        sure_case larger;
+        sure_hit hit = {0}, again = {0};
+        const sure_case *c = &walk.asked;
+        if (!enlarge(c, &larger) || is_last(c) || is_last(&larger))
+            continue;
+        sure_status status = sure_object_hit(&c->ray, &c->object, SURE_TIER_CERTAIN, &hit);
+        bool same =
+            sure_object_hit(&larger.ray, &larger.object, SURE_TIER_CERTAIN, &again) == status &&
+            is_same_end(&hit, &again);
+        case_require(c, same, "another decision");
+        case_require(c, ldexp(hit.t, LARGER) == again.t, "another t");
+        /* Beside it the first has a floor, which is less than the rest. */
+        double error = ldexp(hit.t_error, LARGER);
+        case_require(c, error >= again.t_error && error <= 2 * again.t_error, "another error");
+        asked++;
+    }
+    ck_assert_int_gt(asked, 10 * ENLARGED);
 }
 
 /* The way back: exactly, or not at all. */
