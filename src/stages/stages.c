@@ -41,6 +41,7 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     filter_end first;
     filter_interval ends = *found;
     filter_verdict verdict = filter_first_known(found, q->ray, &first);
+    /* An end that is next to a bound as doubles have it is known better first. */
     if (verdict == FILTER_UNCERTAIN && answer->stage != SURE_STAGE_DOUBLE)
         verdict = query_first(row, q, &ends, &first, &answer->stage);
     if (verdict != FILTER_INTERVAL)
