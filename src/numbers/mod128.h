@@ -97,8 +97,15 @@ static inline uint128 mod128_align(mod128 x, int exponent)
     return mod128_shifted(x.low, x.exponent - exponent);
 }
 
+/* Where few ask, what is longest is called. */
+#ifdef MOD128_APART
+#define MOD128_LONG NUMBER_APART
+#else
+#define MOD128_LONG static inline
+#endif
+
 /* x is finite. */
-static inline mod128 mod128_of(mod128_context *context, double x)
+MOD128_LONG mod128 mod128_of(mod128_context *context, double x)
 {
     (void)context;
     magnitude_parts parts = parts_of(x);
@@ -110,7 +117,7 @@ static inline mod128 mod128_of(mod128_context *context, double x)
     return (mod128){UINT128(negative, (odd ^ negative) - negative), parts.exponent + even};
 }
 
-static inline mod128 mod128_add(mod128_context *context, mod128 x, mod128 y)
+MOD128_LONG mod128 mod128_add(mod128_context *context, mod128 x, mod128 y)
 {
     (void)context;
     int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;

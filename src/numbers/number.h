@@ -50,13 +50,15 @@
 #define vector_negate OVER(vector_negate)
 
 /* Small numbers stay in registers when nothing is called. Apart is what is called in another
- * floating-point environment (environment.h). */
+ * floating-point environment (environment.h). Rare is what is better short. */
 #ifdef __GNUC__
 #define NUMBER_INLINE static INLINED __attribute__((unused))
 #define NUMBER_APART static __attribute__((noinline, unused))
+#define NUMBER_RARE static __attribute__((noinline, cold, unused))
 #else
 #define NUMBER_INLINE static INLINED
 #define NUMBER_APART static
+#define NUMBER_RARE static
 #endif
 
 /* An operation of numbers of the type that is one expression; `context` is what it is handed. */
@@ -72,9 +74,8 @@ typedef struct {
     char unused;
 } no_context;
 
-/* The greatest of the signs of a solid's functions: it is outside where any is positive. */
-NUMBER_INLINE int number_side(int x, int y, int z)
+/* The greater of the signs of two of a solid's functions: it is outside where any is positive. */
+NUMBER_INLINE int number_side(int x, int y)
 {
-    int greater = x > y ? x : y;
-    return greater > z ? greater : z;
+    return x > y ? x : y;
 }

@@ -2,6 +2,7 @@
 #include "query.h"
 
 #include "../numbers/environment.h"
+#include "../numbers/mod128_value.h"
 #include "../numbers/places.h"
 #include "close.h"
 #include "hits/surface.h"
@@ -140,18 +141,48 @@ bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, quer
     return true;
 }
 
-NOT_INLINED bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side)
+NOT_INLINED bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side,
+                            sure_stage *stage)
 {
+    const surface_row *of = row->surface;
+    ddb near[3];
+    mod128 whole[3];
     ddb_context c = {false};
-    *side = row->surface->side_ddb(&c, shape, p);
-    return !c.uncertain;
+    if (of->side) {
+        *side = of->side(shape, p);
+        return true;
+    }
+    bool known = true, by_bits = false;
+    int count = of->sides_ddb(&c, shape, p, near);
+    *side = -1;
+    for (int i = 0; i < count && *side <= 0; i++) {
+        ddb_context of_one = {false};
+        int sign = ddb_sign(&of_one, near[i]);
+        if (of_one.uncertain && !by_bits)
+            (void)of->sides_mod128(NULL, shape, p, whole);
+        by_bits |= of_one.uncertain;
+        if (!of_one.uncertain || mod128_sign(ddb_most(near[i]), whole[i], &sign))
+            *side = number_side(*side, sign);
+        else
+            known = false;
+    }
+    if (by_bits)
+        *stage = SURE_STAGE_MOD128;
+    return known || *side > 0;
 }
 
 NOT_INLINED int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p)
 {
+    const surface_row *of = row->surface;
     exact_arena room;
     exact_context c = exact_start(&room);
-    return row->surface->side_exact(&c, shape, p);
+    exact whole[3];
+    if (of->side)
+        return of->side(shape, p);
+    int count = of->sides_exact(&c, shape, p, whole), side = -1;
+    for (int i = 0; i < count; i++)
+        side = number_side(side, exact_sign(&c, whole[i]));
+    return side;
 }
 
 /* On which side the ray's point at t is: by double-doubles, and where they can't tell exactly.
@@ -164,7 +195,7 @@ static bool side_at(const shape_row *row, const query *q, double t, int *side, s
         TO_NEAREST(whole, whole_point(q->ray, t, &p));
     if (!whole)
         return false;
-    TO_NEAREST(known, query_side(row, q->shape, p, side));
+    TO_NEAREST(known, query_side(row, q->shape, p, side, stage));
     if (known)
         return true;
     *stage = SURE_STAGE_EXACT;

@@ -48,7 +48,8 @@ static int side_of_light(const sure_object *object, sure_vec3 light)
     const shape_row *row = row_of(object);
     bool known;
     int side;
-    TO_NEAREST(known, query_side(row, &object->as, light, &side));
+    sure_stage unused;
+    TO_NEAREST(known, query_side(row, &object->as, light, &side, &unused));
     return known ? side : query_side_exact(row, &object->as, light);
 }
 

@@ -4,11 +4,20 @@
 #include "../support/every_case.h"
 #include "../support/objects.h"
 
+#include "../../src/numbers/environment.h"
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"
 #include "../../src/stages/stages.h"
 
-enum { DRAWS = 4000, SEED = 25, LIMIT = 400, BOUNDS = 40, LARGER = 350, ENLARGED = 200 };
+enum {
+    DRAWS = 4000,
+    SEED = 25,
+    LIMIT = 400,
+    BOUNDS = 40,
+    LARGER = 350,
+    ENLARGED = 200,
+    SIDES = 200
+};
 
 /* y = x 2^k, exactly? */
 static bool is_shifted(double x, double y, int k)
@@ -238,6 +247,44 @@ SHAPE_TEST(test_bounds)
     printf("%-8s %ld around an end, exact %.1f %%\n", sure_shape_name((sure_shape)_i), w.asked,
            100. * (double)w.by_exact / (double)w.asked);
     ck_assert_int_gt(w.asked, 100 * BOUNDS);
+}
+
+/* On which side the start is: as exact numbers say, or not known. */
+
+typedef struct {
+    bool known;
+    int side;
+    sure_stage stage;
+    long asked, on, on_by_bits;
+} side_watch;
+
+static void ask_side(const sure_case *c, void *context)
+{
+    side_watch *w = context;
+    w->stage = SURE_STAGE_DOUBLE_DOUBLE;
+    TO_NEAREST(w->known,
+               query_side(row_of(&c->object), &c->object.as, c->ray.origin, &w->side, &w->stage));
+}
+
+static void judge_side(const sure_case *c, void *context)
+{
+    side_watch *w = context;
+    int side = query_side_exact(row_of(&c->object), &c->object.as, c->ray.origin);
+    case_require(c, !w->known || w->side == side, "another side");
+    w->asked++;
+    w->on += side == 0;
+    w->on_by_bits += side == 0 && w->known;
+}
+
+SHAPE_TEST(test_side)
+{
+    side_watch w = {.known = false};
+    for (case_walk walk = walk_regimes((sure_shape)_i, SEED, SIDES); walk_next(&walk);)
+        in_each_environment(&walk.asked, ask_side, judge_side, &w);
+    printf("%-8s %ld starts, on the surface %ld, of which known %ld\n",
+           sure_shape_name((sure_shape)_i), w.asked, w.on, w.on_by_bits);
+    ck_assert_int_gt(w.on, SIDES);
+    ck_assert_int_gt(2 * w.on_by_bits, w.on);
 }
 
 /* What numbers of a kind are multiplied by, as exponents of 2. */

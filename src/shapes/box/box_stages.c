@@ -240,22 +240,12 @@ static int side_along(double x, double low, double high)
     return p < least || p > most ? 1 : p == least || p == most ? 0 : -1;
 }
 
-static int side_of(const sure_box *s, sure_vec3 p)
+static int side_of(const void *shape, sure_vec3 p)
 {
-    return number_side(side_along(p.x, s->low.x, s->high.x), side_along(p.y, s->low.y, s->high.y),
-                       side_along(p.z, s->low.z, s->high.z));
-}
-
-static int side_ddb(ddb_context *c, const void *shape, sure_vec3 p)
-{
-    (void)c;
-    return side_of(shape, p);
-}
-
-static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
-{
-    (void)c;
-    return side_of(shape, p);
+    const sure_box *s = shape;
+    int across =
+        number_side(side_along(p.x, s->low.x, s->high.x), side_along(p.y, s->low.y, s->high.y));
+    return number_side(across, side_along(p.z, s->low.z, s->high.z));
 }
 
 /* The comparison may take subnormals for 0, and spares most the other one. */
@@ -303,8 +293,7 @@ static void bounds(const void *shape, double low[3], double high[3])
 
 const surface_row box_surface_row = {
     .plane = part_of_plane,
-    .side_ddb = side_ddb,
-    .side_exact = side_exact,
+    .side = side_of,
     .has_inside = has_inside,
     .flat_part = flat_part,
     .outward = outward,

@@ -24,6 +24,5 @@ static inline bool capped_has_inside(const void *shape)
 /* What the row has; `solid`_slope, _unit_normal, _outward and _bounds are the solid's own. */
 #define CAPPED_SURFACE(solid)                                                                      \
     .plane = capped_plane, .slope = solid##_slope, SURFACE_SLOPES(solid),                          \
-    .unit_normal = solid##_unit_normal, .side_ddb = solid##_side_ddb,                              \
-    .side_exact = solid##_side_exact, .has_inside = capped_has_inside, .outward = solid##_outward, \
-    .bounds = solid##_bounds
+    .unit_normal = solid##_unit_normal, SURFACE_SIDES(solid), .has_inside = capped_has_inside,     \
+    .outward = solid##_outward, .bounds = solid##_bounds

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The surface of the cone for certain and exact: what is asked of a hit. */
+#define MOD128_APART
 #include "../capped/capped_surface.h"
 #include "cone_spawn.h"
 
@@ -8,7 +9,6 @@
 #include "../../numbers/most.h" /* a type, where variables in headers have its name */
 #define NUMBER most
 #include "cone_tmpl.h"
-#define NUMBER_SIGNED
 #define NUMBER ddb
 #include "cone_tmpl.h"
 #define NUMBER exact

@@ -84,7 +84,7 @@ NUMBER_APART OVER(two_terms) OVER(cone_touch_of)(const sure_ray *ray, const void
 }
 
 /* Half the slope of F along d, at o + x d: a x + b. */
-NUMBER_APART number OVER(cone_slope_at)(const sure_ray *ray, const void *shape, double x)
+NUMBER_RARE number OVER(cone_slope_at)(const sure_ray *ray, const void *shape, double x)
 {
     const sure_cone *s = (const sure_cone *)shape;
     number_context c = {0};
@@ -97,20 +97,20 @@ NUMBER_APART number OVER(cone_slope_at)(const sure_ray *ray, const void *shape, 
                                                 vector_dot(&c, axis, p), vector_dot(&c, axis, d)));
 }
 
-#ifdef NUMBER_SIGNED
-/* -1 inside, 0 on, 1 outside: the greatest of the signs of -A.p, A.p - H and F(p). At A.p = 0 the
- * last is not negative, and 0 at the apex alone. */
-static RARE int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place)
+/* -A.p, A.p - H and F(p): none is positive in the solid. At A.p = 0 the last is not negative, and 0
+ * at the apex alone. */
+NUMBER_RARE int OVER(cone_sides)(number_context *c, const void *shape, sure_vec3 place,
+                                 number of[3])
 {
     const sure_cone *s = (const sure_cone *)shape;
     vector axis = vector_between(c, s->apex, s->base), p = vector_between(c, s->apex, place);
     number height = vector_square(c, axis), depth = vector_dot(c, axis, p);
     number arms = vector_square(c, vector_cross(c, axis, p));
-    number body = OVER(difference)(
+    of[0] = number_negate(c, depth);
+    of[1] = number_sub(c, depth, height);
+    of[2] = OVER(difference)(
         c, OVER(cone_body)(c, height, number_of(c, s->radius), arms, number_square(c, depth)));
-    return number_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
-                       number_sign(c, body));
+    return 3;
 }
-#endif
 
 #undef NUMBER

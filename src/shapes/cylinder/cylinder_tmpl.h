@@ -75,7 +75,7 @@ NUMBER_APART OVER(two_terms) OVER(cylinder_touch_of)(const sure_ray *ray, const 
 }
 
 /* Half the slope of F along d, at o + x d: a x + b. */
-NUMBER_APART number OVER(cylinder_slope_at)(const sure_ray *ray, const void *shape, double x)
+NUMBER_RARE number OVER(cylinder_slope_at)(const sure_ray *ray, const void *shape, double x)
 {
     const sure_cylinder *s = (const sure_cylinder *)shape;
     number_context c = {0};
@@ -86,19 +86,18 @@ NUMBER_APART number OVER(cylinder_slope_at)(const sure_ray *ray, const void *sha
                                vector_dot(&c, axis, p), vector_dot(&c, axis, d));
 }
 
-#ifdef NUMBER_SIGNED
-/* -1 inside, 0 on, 1 outside: the greatest of the signs of -A.p, A.p - H and F(p) */
-static RARE int OVER(cylinder_side)(number_context *c, const void *shape, sure_vec3 place)
+/* -A.p, A.p - H and F(p): none is positive in the solid. */
+NUMBER_RARE int OVER(cylinder_sides)(number_context *c, const void *shape, sure_vec3 place,
+                                     number of[3])
 {
     const sure_cylinder *s = (const sure_cylinder *)shape;
     vector axis = vector_between(c, s->base, s->top), p = vector_between(c, s->base, place);
     number height = vector_square(c, axis), depth = vector_dot(c, axis, p);
     number arms = vector_square(c, vector_cross(c, axis, p));
-    number body =
-        OVER(difference)(c, OVER(cylinder_body)(c, arms, height, number_of(c, s->radius)));
-    return number_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
-                       number_sign(c, body));
+    of[0] = number_negate(c, depth);
+    of[1] = number_sub(c, depth, height);
+    of[2] = OVER(difference)(c, OVER(cylinder_body)(c, arms, height, number_of(c, s->radius)));
+    return 3;
 }
-#endif
 
 #undef NUMBER

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* The surface of plane and disc for certain and exact: what is asked of a hit. Their structs begin
  * with a point Q and the normal N. */
+#define MOD128_APART
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"
 
 #include <surehit/disc.h>
 #include <surehit/plane.h>
 
-#define NUMBER_SIGNED
+#define NUMBER mod128
+#include "planar_tmpl.h"
 #define NUMBER ddb
 #include "planar_tmpl.h"
 #define NUMBER exact
@@ -21,18 +23,6 @@ static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
     (void)part;
     *plane = (part_plane){.to = s[NORMAL], .at = s[POINT]};
     return true;
-}
-
-static int side_ddb(ddb_context *c, const void *shape, sure_vec3 p)
-{
-    const sure_vec3 *s = shape;
-    return planar_side_ddb(c, s[NORMAL], s[POINT], p);
-}
-
-static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
-{
-    const sure_vec3 *s = shape;
-    return planar_side_exact(c, s[NORMAL], s[POINT], p);
 }
 
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
@@ -50,7 +40,7 @@ static void disc_bounds(const void *shape, double low[3], double high[3])
 }
 
 #define PLANAR_SURFACE                                                                             \
-    .plane = part_of_plane, .side_ddb = side_ddb, .side_exact = side_exact, .outward = outward
+    .plane = part_of_plane, SURFACE_SIDES(planar), .outward = outward
 
 const surface_row plane_surface_row = {PLANAR_SURFACE};
 const surface_row disc_surface_row = {PLANAR_SURFACE, .bounds = disc_bounds};

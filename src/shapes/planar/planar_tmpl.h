@@ -19,12 +19,12 @@ NUMBER_INLINE OVER(two_terms)
                              vector_square(c, foot)};
 }
 
-#ifdef NUMBER_SIGNED
-NUMBER_INLINE int OVER(planar_side)(number_context *c, sure_vec3 normal, sure_vec3 point,
-                                    sure_vec3 p)
+/* N.(p - Q); the structs of both begin with Q and N. */
+NUMBER_RARE int OVER(planar_sides)(number_context *c, const void *shape, sure_vec3 p, number of[3])
 {
-    return number_sign(c, vector_dot(c, vector_of(c, normal), vector_between(c, point, p)));
+    const sure_vec3 *s = (const sure_vec3 *)shape;
+    of[0] = vector_dot(c, vector_of(c, s[1]), vector_between(c, s[0], p));
+    return 1;
 }
-#endif
 
 #undef NUMBER

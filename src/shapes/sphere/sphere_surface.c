@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The surface of the sphere for certain and exact: what is asked of a hit. */
+#define MOD128_APART
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"
 
@@ -10,7 +11,6 @@
 #include "../../numbers/most.h" /* a type, where variables in headers have its name */
 #define NUMBER most
 #include "sphere_tmpl.h"
-#define NUMBER_SIGNED
 #define NUMBER ddb
 #include "sphere_tmpl.h"
 #define NUMBER exact
@@ -52,8 +52,7 @@ const surface_row sphere_surface_row = {
     .slope = slope,
     SURFACE_SLOPES(sphere),
     .unit_normal = unit_normal,
-    .side_ddb = sphere_side_ddb,
-    .side_exact = sphere_side_exact,
+    SURFACE_SIDES(sphere),
     .has_inside = has_inside,
     .outward = outward,
     .bounds = bounds,

@@ -34,7 +34,7 @@ NUMBER_APART OVER(two_terms) OVER(sphere_discriminant_of)(const sure_ray *ray, c
 }
 
 /* Half the slope of F along d, at o + x d: a x + b. */
-NUMBER_APART number OVER(sphere_slope_at)(const sure_ray *ray, const void *shape, double x)
+NUMBER_RARE number OVER(sphere_slope_at)(const sure_ray *ray, const void *shape, double x)
 {
     const sure_sphere *s = (const sure_sphere *)shape;
     number_context c = {0};
@@ -43,14 +43,13 @@ NUMBER_APART number OVER(sphere_slope_at)(const sure_ray *ray, const void *shape
     return vector_dot(&c, p, d);
 }
 
-#ifdef NUMBER_SIGNED
-/* -1 inside, 0 on, 1 outside */
-static int OVER(sphere_side)(number_context *c, const void *shape, sure_vec3 p)
+/* F */
+NUMBER_RARE int OVER(sphere_sides)(number_context *c, const void *shape, sure_vec3 p, number of[3])
 {
     const sure_sphere *s = (const sure_sphere *)shape;
     vector m = vector_between(c, s->centre, p);
-    return number_sign(c, OVER(difference)(c, OVER(sphere_body)(c, m, number_of(c, s->radius))));
+    of[0] = OVER(difference)(c, OVER(sphere_body)(c, m, number_of(c, s->radius)));
+    return 1;
 }
-#endif
 
 #undef NUMBER

@@ -59,7 +59,9 @@ static int side_of(const search *s, sure_vec3 p)
 {
     assert(environment_is_nearest() && all_finite(p));
     int side;
-    return query_side(s->row, s->shape, p, &side) ? side : query_side_exact(s->row, s->shape, p);
+    sure_stage unused;
+    return query_side(s->row, s->shape, p, &side, &unused) ? side
+                                                           : query_side_exact(s->row, s->shape, p);
 }
 
 static bool succeeds(search *s, const int steps[3])

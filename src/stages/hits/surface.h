@@ -29,9 +29,12 @@ typedef struct surface_row {
     vector_ddb (*unit_normal)(ddb_context *, const void *shape, vector_ddb p);
 
     /* On which side a point is: -1 in a solid's interior, 0 on its boundary, 1 outside the closed
-     * solid; for plane and disc the sign of N.(p - Q). */
-    int (*side_ddb)(ddb_context *, const void *shape, sure_vec3 p);
-    int (*side_exact)(exact_context *, const void *shape, sure_vec3 p);
+     * solid; for plane and disc the sign of N.(p - Q). It is the greatest of the signs of so many
+     * numbers; or, where doubles tell, side. */
+    int (*sides_ddb)(ddb_context *, const void *shape, sure_vec3 p, ddb of[3]);
+    int (*sides_mod128)(mod128_context *, const void *shape, sure_vec3 p, mod128 of[3]);
+    int (*sides_exact)(exact_context *, const void *shape, sure_vec3 p, exact of[3]);
+    int (*side)(const void *shape, sure_vec3 p);
     bool (*has_inside)(const void *shape); /* NULL: always */
 
     /* Of a solid that may be flat: is it? Then *part is the face that a ray along d comes to, the
@@ -50,6 +53,9 @@ typedef struct surface_row {
 #define SURFACE_SLOPES(shape)                                                                      \
     .slope_f64 = shape##_slope_at_f64, .slope_most = shape##_slope_at_most,                        \
     .slope_mod128 = shape##_slope_at_mod128
+#define SURFACE_SIDES(shape)                                                                       \
+    .sides_ddb = shape##_sides_ddb, .sides_mod128 = shape##_sides_mod128,                          \
+    .sides_exact = shape##_sides_exact
 
 static inline sure_vec3 surface_anchor(const shape_row *row, const void *shape)
 {
