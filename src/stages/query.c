@@ -141,8 +141,8 @@ bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, quer
     return true;
 }
 
-NOT_INLINED bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side,
-                            sure_stage *stage)
+RARE bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side,
+                     sure_stage *stage)
 {
     const surface_row *of = row->surface;
     ddb near[3];
@@ -171,7 +171,7 @@ NOT_INLINED bool query_side(const shape_row *row, const void *shape, sure_vec3 p
     return known || *side > 0;
 }
 
-NOT_INLINED int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p)
+RARE int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p)
 {
     const surface_row *of = row->surface;
     exact_arena room;

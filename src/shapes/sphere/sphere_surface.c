@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The surface of the sphere for certain and exact: what is asked of a hit. */
-#define MOD128_APART
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"
 

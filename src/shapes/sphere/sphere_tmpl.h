@@ -34,7 +34,7 @@ NUMBER_APART OVER(two_terms) OVER(sphere_discriminant_of)(const sure_ray *ray, c
 }
 
 /* Half the slope of F along d, at o + x d: a x + b. */
-NUMBER_RARE number OVER(sphere_slope_at)(const sure_ray *ray, const void *shape, double x)
+NUMBER_APART number OVER(sphere_slope_at)(const sure_ray *ray, const void *shape, double x)
 {
     const sure_sphere *s = (const sure_sphere *)shape;
     number_context c = {0};
@@ -44,7 +44,7 @@ NUMBER_RARE number OVER(sphere_slope_at)(const sure_ray *ray, const void *shape,
 }
 
 /* F */
-NUMBER_RARE int OVER(sphere_sides)(number_context *c, const void *shape, sure_vec3 p, number of[3])
+NUMBER_APART int OVER(sphere_sides)(number_context *c, const void *shape, sure_vec3 p, number of[3])
 {
     const sure_sphere *s = (const sure_sphere *)shape;
     vector m = vector_between(c, s->centre, p);
