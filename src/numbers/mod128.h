@@ -97,7 +97,7 @@ static inline uint128 mod128_align(mod128 x, int exponent)
     return mod128_shifted(x.low, x.exponent - exponent);
 }
 
-/* Where few ask, what is longest is called. */
+/* Where it is rarely asked, the long operations are called and not inlined: the code is shorter. */
 #ifdef MOD128_APART
 #define MOD128_LONG NUMBER_APART
 #else

@@ -50,7 +50,7 @@
 #define vector_negate OVER(vector_negate)
 
 /* Small numbers stay in registers when nothing is called. Apart is what is called in another
- * floating-point environment (environment.h). Rare is what is better short. */
+ * floating-point environment (environment.h). Rare is compiled for size. */
 #ifdef __GNUC__
 #define NUMBER_INLINE static INLINED __attribute__((unused))
 #define NUMBER_APART static __attribute__((noinline, unused))

@@ -44,9 +44,10 @@ static inline bool query_unscale(const query *q, double t, double *asked)
     return query_shift(t, q->t_exponent, asked);
 }
 
-/* On which side a point is (surface.h), if double-doubles tell or, *stage, low bits; round to
- * nearest; or exactly. */
+/* On which side a point is (surface.h), by double-doubles, then by low bits, which set *stage.
+ * False where these don't tell either. Entry: round to nearest. */
 bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side, sure_stage *stage);
+/* Exactly. */
 int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p);
 
 /* The first end of a solid's chord in [t_min, t_max], where a bound of these is next to an end: by

@@ -29,8 +29,8 @@ typedef struct surface_row {
     vector_ddb (*unit_normal)(ddb_context *, const void *shape, vector_ddb p);
 
     /* On which side a point is: -1 in a solid's interior, 0 on its boundary, 1 outside the closed
-     * solid; for plane and disc the sign of N.(p - Q). It is the greatest of the signs of so many
-     * numbers; or, where doubles tell, side. */
+     * solid; for plane and disc the sign of N.(p - Q). Where doubles tell it, `side` does; else it
+     * is the greatest of the signs of the numbers in `of`. Returns how many these are. */
     int (*sides_ddb)(ddb_context *, const void *shape, sure_vec3 p, ddb of[3]);
     int (*sides_mod128)(mod128_context *, const void *shape, sure_vec3 p, mod128 of[3]);
     int (*sides_exact)(exact_context *, const void *shape, sure_vec3 p, exact of[3]);
